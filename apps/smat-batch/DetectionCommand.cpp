@@ -7,6 +7,7 @@
 #include "apps/smat-batch/RunControl.h"
 #include "apps/smat-batch/SettingOptions.h"
 #include "apps/smat-batch/StopSignal.h"
+#include "irsg/core/CsvTable.h"
 #include "irsg/sensor/SensorFile.h"
 #include "smatcore/jobs/AnalysisJobs.h"
 #include "smatcore/settings/SettingKeys.h"
@@ -56,9 +57,24 @@ class DetectionCommand {
             "--false-alarms", "",
             "In place of --snr: the probability that noise alone passes the threshold in a "
             "pixel and a frame, such as 1e-6");
-        numbers_.add("--clutter", "K",
-                     "Of a point: standard deviation of the background's apparent temperature from "
-                     "pixel to pixel, which counts as noise, 0");
+        command
+            .add_option("--clutter", clutter_,
+                        "Of a point: standard deviation of the background's apparent temperature "
+                        "from pixel to pixel in K, which counts as noise, 0; auto: that of the "
+                        "rendered background beside the target")
+            ->type_name("K");
+        command
+            .add_option("--ranges", ranges_,
+                        "In place of the search of a range: the probability at these ranges in m, "
+                        "separated by commas, the mean over the aspects")
+            ->type_name("m");
+        numbers_.add("--draws", "",
+                     "With --ranges: draws of the scaling files beside the models, over which the "
+                     "mean is taken as well, 0");
+        command.add_flag("--sensitivity", sensitivity_,
+                         "Adds the relative change of the range per relative change of each number "
+                         "of the sensor, of the extinction, and of temperatures and emissivities "
+                         "of the target");
         numbers_.add("--scene-contrast", "K",
                      "Of ttp: temperature difference that the display shows from black to white, "
                      "10");
@@ -142,7 +158,10 @@ class DetectionCommand {
                               "nothing: --criterion point counts the whole light");
             takePoint(request);
         } else {
-            refuseWith(word, {"--snr", "--false-alarms", "--clutter"});
+            refuseWith(word, {"--snr", "--false-alarms"});
+            if (!clutter_.empty())
+                throw refusal("--clutter", clutter_,
+                              fmt::format("nothing: --criterion {} has none", word));
             takeTask(request.task, request.criterion);
             request.leftOut = leftOut_;
         }
@@ -166,6 +185,7 @@ class DetectionCommand {
         if (numbers_.value("--background-temperature"))
             request.background_K = numbers_.positive("--background-temperature", 300.0);
         request.place = static_cast<PointPlace>(chosen("--point", place_, pointPlaceWords()));
+        takeRanges(request);
         return request;
     }
 
@@ -187,8 +207,34 @@ class DetectionCommand {
         }
         if (numbers_.value("--probability"))
             request.pointProbability = probability();
-        if (numbers_.value("--clutter"))
-            request.clutter_K = numbers_.positive("--clutter", 0.0);
+        if (clutter_ == "auto") {
+            request.measuresClutter = true;
+        } else if (!clutter_.empty()) {
+            const auto clutter_K = irsg::parseNumber(irsg::trimmed(clutter_));
+            if (!clutter_K || *clutter_K <= 0.0)
+                throw refusal("--clutter", clutter_, "a number of K above 0, or auto");
+            request.clutter_K = *clutter_K;
+        }
+    }
+
+    void takeRanges(DetectionRequest& request) const {
+        request.findsSensitivity = sensitivity_;
+        numbers_.takeWhole("--draws", request.draws, 1.0, 1e6);
+        if (ranges_.empty()) {
+            if (request.draws > 0)
+                throw refusal("--draws", std::to_string(request.draws),
+                              "nothing without --ranges, of whose probability it is the mean");
+            return;
+        }
+        request.ranges_m = numbersOf("--ranges", ranges_);
+        if (std::ranges::find(request.ranges_m, 0.0) != request.ranges_m.end())
+            throw refusal("--ranges", ranges_, "ranges above 0 m");
+        if (sensitivity_)
+            throw refusal("--sensitivity", "given", "nothing beside --ranges: no range is sought");
+        for (const char* option : {"--nearest", "--farthest", "--looks", "--probability"})
+            if (numbers_.value(option))
+                throw refusal(option, irsg::numberText(*numbers_.value(option)),
+                              "nothing beside --ranges: no range is sought");
     }
 
     void takeTask(RangeTask& task, RangeCriterion criterion) const {
@@ -221,7 +267,8 @@ class DetectionCommand {
     TableFiles files_;
     std::string sensor_, place_ = "centre", criterion_ = "point", task_ = "detection";
     std::vector<std::string> leftOut_;
-    bool dryRun_ = false;
+    std::string clutter_, ranges_;
+    bool dryRun_ = false, sensitivity_ = false;
 };
 
 } // namespace

@@ -109,4 +109,19 @@ void TableFiles::write(const std::string& kind, const ResultTable& table,
         fmt::print("  -> {}\n", file);
 }
 
+std::vector<double> numbersOf(const char* option, const std::string& text) {
+    std::vector<double> list;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        const std::string word = text.substr(begin, end - begin);
+        const auto value = irsg::parseNumber(irsg::trimmed(word));
+        if (!value || *value < 0.0)
+            throw refusal(option, word.empty() ? "nothing" : word,
+                          "numbers of at least 0, separated by commas");
+        list.push_back(*value);
+        begin = end + 1;
+    }
+    return list;
+}
+
 } // namespace smat::batch

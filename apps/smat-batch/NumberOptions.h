@@ -43,6 +43,10 @@ class NumberOptions {
     std::map<std::string, std::string> texts_; ///< the parser keeps pointers into it
 };
 
+/// The numbers of at least 0 that the text of an option lists, separated by commas. Throws
+/// InputError naming the option.
+std::vector<double> numbersOf(const char* option, const std::string& text);
+
 /// The files a table goes to: `--out`, at least one, each .csv or .json.
 class TableFiles {
   public:

@@ -2,48 +2,33 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QFormLayout>
 #include <QGroupBox>
 #include <QLabel>
+#include <QMenu>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include "gui/analysis/SummaryText.h"
 #include "gui/plot/PlotPanel.h"
 #include "gui/plot/PolarPlot.h"
 #include "gui/plot/ResultPlot.h"
-#include "gui/start/DataFolder.h"
+#include "gui/tools/SensorChooser.h"
 #include "gui/widgets/NumberBoxes.h"
-#include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Sentences.h"
+#include "gui/widgets/Widgets.h"
 #include "gui/workbench/Workbench.h"
 #include "irsg/core/Errors.h"
-#include "irsg/sensor/SensorFile.h"
-#include "irsg/sensor/SensorNumbers.h"
 #include "smatcore/analysis/AnalysisPlan.h"
 #include "smatcore/settings/SettingKeys.h"
 
 namespace smat::gui {
 
 namespace {
-
-/// In the list of sensors: opens a file.
-constexpr const char* another = "another";
-
-/// Those that come with the program, by file name.
-std::vector<std::filesystem::path> shippedSensors() {
-    const std::filesystem::path folder = dataFolder("resources/sensors");
-    std::vector<std::filesystem::path> files;
-    if (folder.empty())
-        return files;
-    std::error_code failure;
-    for (const auto& entry : std::filesystem::directory_iterator(folder, failure))
-        if (entry.path().extension() == ".smatsensor")
-            files.push_back(entry.path());
-    std::ranges::sort(files);
-    return files;
-}
 
 struct BoxRange {
     double least, most, value;
@@ -72,14 +57,15 @@ DetectionPage::DetectionPage(Workbench& workbench, Dialogs dialogs, QWidget* par
     setObjectName("detectionPage");
     QWidget* form = makeForm();
     QWidget* right = makeRight();
-    connect(sensors_, &QComboBox::activated, this, &DetectionPage::chooseSensor);
-    for (QComboBox* box : {criterion_, task_, place_})
+    connect(sensors_, &SensorChooser::changed, this, &DetectionPage::refresh);
+    for (QComboBox* box : {criterion_, task_, place_, thresholdBy_, clutterBy_})
         connect(box, &QComboBox::currentIndexChanged, this, &DetectionPage::refresh);
-    for (RealBox* box :
-         {snr_, probability_, sceneContrast_, nearest_, farthest_, background_, step_})
+    for (RealBox* box : {snr_, falseAlarms_, clutter_, pointProbability_, probability_,
+                         sceneContrast_, nearest_, farthest_, background_, step_})
         connect(box, &QDoubleSpinBox::valueChanged, this, &DetectionPage::refresh);
+    connect(sensitivity_, &QCheckBox::toggled, this, &DetectionPage::refresh);
+    connect(leftOut_->menu(), &QMenu::aboutToShow, this, &DetectionPage::fillLeftOut);
     connect(quantity_, &QComboBox::activated, this, &DetectionPage::drawResult);
-    describeSensor();
     layOut(form, 340, tr("Stops and keeps the aspects that are done"), right);
 }
 
@@ -97,18 +83,8 @@ QWidget* DetectionPage::makeForm() {
 QWidget* DetectionPage::makeSensorBox(QWidget* parent) {
     auto* box = new QGroupBox(tr("Sensor"), parent);
     auto* column = new QVBoxLayout(box);
-    sensors_ = new QComboBox(box);
-    sensors_->setObjectName("sensorFile");
-    sensors_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    for (const std::filesystem::path& file : shippedSensors())
-        sensors_->addItem(QString::fromStdString(file.stem().string()),
-                          QString::fromStdString(file.string()));
-    sensors_->addItem(tr("A file…"), QString(another));
-    sensorText_ = new QLabel(box);
-    sensorText_->setObjectName("sensorText");
-    sensorText_->setWordWrap(true);
+    sensors_ = new SensorChooser(dialogs_, box);
     column->addWidget(sensors_);
-    column->addWidget(sensorText_);
     return box;
 }
 
@@ -127,6 +103,26 @@ QWidget* DetectionPage::makeCriterionBox(QWidget* parent) {
         tr("A small target is a point whose whole light falls into one pixel. A large one has "
            "to be resolved: its mean contrast decides how many cycles across it are seen."));
     snr_ = boxOf("snr", {}, {0.01, 1e6, 5.0, 2}, box);
+    thresholdBy_ = new QComboBox(box);
+    thresholdBy_->setObjectName("thresholdBy");
+    thresholdBy_->addItem(tr("a signal to noise ratio"));
+    thresholdBy_->addItem(tr("a rate of false alarms"));
+    falseAlarms_ = boxOf("falseAlarms", {}, {-12.0, -0.31, -6.0, 2}, box);
+    falseAlarms_->setPrefix(tr("10^"));
+    falseAlarms_->setToolTip(
+        tr("Probability that noise alone passes the threshold in a pixel and a frame"));
+    pointProbability_ = boxOf("pointProbability", "%", {0.0, 99.9, 0.0, 1}, box);
+    pointProbability_->setSpecialValueText(tr("not asked for"));
+    pointProbability_->setToolTip(tr("That signal and noise together pass the threshold, the mean "
+                                     "over all places of the image in its pixel"));
+    clutterBy_ = new QComboBox(box);
+    clutterBy_->setObjectName("clutterBy");
+    clutterBy_->addItem(tr("none"));
+    clutterBy_->addItem(tr("a number"));
+    clutterBy_->addItem(tr("that of the background"));
+    clutterBy_->setToolTip(tr("The background's changes from pixel to pixel, which count as noise: "
+                              "a number, or those of the rendered background beside the target"));
+    clutter_ = boxOf("clutter", "K", {0.001, 1000.0, 0.1, 3}, box);
     place_ = new QComboBox(box);
     place_->setObjectName("pointPlace");
     place_->addItem(tr("in the middle of a pixel"), static_cast<int>(PointPlace::centre));
@@ -138,7 +134,12 @@ QWidget* DetectionPage::makeCriterionBox(QWidget* parent) {
         task_->addItem(textOf(task)); // with its cycles, see refreshed()
     probability_ = boxOf("probability", "%", {0.1, 99.9, 50.0, 1}, box);
     criteria_->addRow(criterion_);
+    criteria_->addRow(tr("Threshold by"), thresholdBy_);
     criteria_->addRow(tr("Signal to noise ratio"), snr_);
+    criteria_->addRow(tr("False alarms"), falseAlarms_);
+    criteria_->addRow(tr("Detected with"), pointProbability_);
+    criteria_->addRow(tr("Clutter"), clutterBy_);
+    criteria_->addRow(tr("Its deviation"), clutter_);
     criteria_->addRow(tr("Image of the point"), place_);
     criteria_->addRow(tr("Task"), task_);
     criteria_->addRow(tr("Probability"), probability_);
@@ -147,6 +148,10 @@ QWidget* DetectionPage::makeCriterionBox(QWidget* parent) {
     sceneContrast_->setToolTip(tr("Temperature difference that the display shows from black to "
                                   "white"));
     criteria_->addRow(tr("Scene contrast"), sceneContrast_);
+    leftOut_ = menuButton({}, "leftOut",
+                          tr("Temperatures and materials whose surfaces are not counted: hot parts "
+                             "and plumes that nobody resolves"));
+    criteria_->addRow(tr("Left out"), leftOut_);
     return box;
 }
 
@@ -165,6 +170,12 @@ QWidget* DetectionPage::makePlaceBox(QWidget* parent) {
     form->addRow(tr("Nearest range"), nearest_);
     form->addRow(tr("Farthest range"), farthest_);
     form->addRow(tr("Background"), background_);
+    sensitivity_ = new QCheckBox(tr("Sensitivity of the range"), box);
+    sensitivity_->setObjectName("sensitivity");
+    sensitivity_->setToolTip(
+        tr("Relative change of the range per relative change of each number of "
+           "the sensor, of the extinction, and of the target"));
+    form->addRow(sensitivity_);
     return box;
 }
 
@@ -190,70 +201,25 @@ QWidget* DetectionPage::makeRight() {
     return right;
 }
 
-void DetectionPage::chooseSensor(int index) {
-    if (sensors_->itemData(index).toString() != another) {
-        chosen_ = index;
-        describeSensor();
-        refresh();
-        return;
-    }
-    sensors_->setCurrentIndex(chosen_);
-    const QString file =
-        dialogs_.openFile(this, tr("Sensor"), {tr("Sensor (*.smatsensor)"), tr("All files (*)")});
-    if (!file.isEmpty())
-        openSensor(file.toStdString());
-}
-
-void DetectionPage::openSensor(const std::filesystem::path& file) {
-    const QString path = QString::fromStdString(std::filesystem::absolute(file).string());
-    int index = sensors_->findData(path);
-    if (index < 0) {
-        index = sensors_->count() - 1; // before "A file"
-        sensors_->insertItem(index, QString::fromStdString(file.stem().string()), path);
-    }
-    sensors_->setCurrentIndex(index);
-    chooseSensor(index);
-}
-
-void DetectionPage::describeSensor() {
-    sensor_.reset();
-    sensorProblem_.clear();
-    const QString file = sensors_->currentData().toString();
-    sensors_->setToolTip(file);
-    if (file == another || file.isEmpty()) {
-        sensorProblem_ = tr("Choose a sensor.");
-        sensorText_->setText(tr("No sensor comes with this program: choose a file."));
-        return;
-    }
-    try {
-        sensor_ = irsg::loadSensor(file.toStdString());
-        const irsg::SensorDescription& sensor = *sensor_;
-        const irsg::SensorNumbers numbers =
-            irsg::sensorNumbers(sensor, 300.0, irsg::ConeConvention::exact, 1.0);
-        sensorText_->setText(
-            tr("%1\n%2–%3 µm, %4 × %5 pixels of %6 mrad, F/%7, NETD %8 mK at 300 K")
-                .arg(QString::fromStdString(sensor.title),
-                     formattedNumber(sensor.detector.band.min_um),
-                     formattedNumber(sensor.detector.band.max_um))
-                .arg(sensor.detector.columns)
-                .arg(sensor.detector.rows)
-                .arg(1e3 * sensor.pixelAngle_rad(), 0, 'g', 3)
-                .arg(sensor.optics.fNumber(), 0, 'g', 3)
-                .arg(1e3 * numbers.netd_K, 0, 'g', 3));
-    } catch (const irsg::InputError& error) {
-        sensorProblem_ = sentencesOf(error).join('\n');
-        sensorText_->setText(tr("This sensor cannot be used."));
-    }
-}
-
 DetectionRequest DetectionPage::request() const {
-    if (!sensor_)
+    if (!sensors_->sensor())
         throw irsg::InputError({"", tr("Sensor").toStdString(), "nothing", "a sensor"});
     DetectionRequest request;
-    request.sensor = *sensor_;
-    request.sensorFile = sensors_->currentData().toString().toStdString();
+    request.sensor = *sensors_->sensor();
+    request.sensorFile = sensors_->file();
     request.criterion = static_cast<RangeCriterion>(criterion_->currentData().toInt());
-    request.threshold = snr_->value();
+    const bool isPoint = request.criterion == RangeCriterion::point;
+    request.threshold = thresholdBy_->currentIndex() == 0
+                            ? snr_->value()
+                            : thresholdOfFalseAlarms(std::pow(10.0, falseAlarms_->value()));
+    if (isPoint && pointProbability_->value() > 0.0)
+        request.pointProbability = 0.01 * pointProbability_->value();
+    if (isPoint && clutterBy_->currentIndex() == 1)
+        request.clutter_K = clutter_->value();
+    request.measuresClutter = isPoint && clutterBy_->currentIndex() == 2;
+    if (!isPoint)
+        request.leftOut = leftOutNames_;
+    request.findsSensitivity = sensitivity_->isChecked();
     request.place = static_cast<PointPlace>(place_->currentData().toInt());
     request.task = {
         tasksOf(request.criterion)[static_cast<std::size_t>(task_->currentIndex())].cyclesOfHalf,
@@ -281,8 +247,8 @@ AnalysisData DetectionPage::asked() const {
 }
 
 QStringList DetectionPage::problems() const {
-    if (!sensorProblem_.isEmpty())
-        return {sensorProblem_};
+    if (!sensors_->problem().isEmpty())
+        return {sensors_->problem()};
     try {
         const AnalysisData data = asked();
         planAnalysis(AnalysisKind::polar, data.project, data.settings);
@@ -305,10 +271,46 @@ void DetectionPage::refreshed(bool) {
         task_->setItemText(i, tr("%1: %2 cycles").arg(tr(task.name)).arg(task.cyclesOfHalf));
     }
     criteria_->setRowVisible(sceneContrast_, criterion == RangeCriterion::targeting);
-    for (QWidget* field : {static_cast<QWidget*>(snr_), static_cast<QWidget*>(place_)})
+    for (QWidget* field :
+         std::initializer_list<QWidget*>{thresholdBy_, pointProbability_, clutterBy_, place_})
         criteria_->setRowVisible(field, isPoint);
-    for (QWidget* field : {static_cast<QWidget*>(task_), static_cast<QWidget*>(probability_)})
+    criteria_->setRowVisible(snr_, isPoint && thresholdBy_->currentIndex() == 0);
+    criteria_->setRowVisible(falseAlarms_, isPoint && thresholdBy_->currentIndex() == 1);
+    criteria_->setRowVisible(clutter_, isPoint && clutterBy_->currentIndex() == 1);
+    for (QWidget* field : std::initializer_list<QWidget*>{task_, probability_, leftOut_})
         criteria_->setRowVisible(field, !isPoint);
+    QStringList names;
+    for (const std::string& name : leftOutNames_)
+        names << QString::fromStdString(name);
+    leftOut_->setText(names.isEmpty() ? tr("nothing") : names.join(", "));
+}
+
+void DetectionPage::fillLeftOut() {
+    QMenu& menu = *leftOut_->menu();
+    menu.clear();
+    const auto add = [&](const std::string& name) {
+        if (name.empty())
+            return;
+        QAction* action = menu.addAction(QString::fromStdString(name).replace("&", "&&"));
+        action->setCheckable(true);
+        action->setChecked(std::ranges::find(leftOutNames_, name) != leftOutNames_.end());
+        connect(action, &QAction::toggled, this, [this, name](bool on) {
+            std::erase(leftOutNames_, name);
+            if (on)
+                leftOutNames_.push_back(name);
+            refresh();
+        });
+    };
+    if (workbench_.database().isOpen()) {
+        menu.addSection(tr("Temperatures"));
+        for (const auto& [index, entry] : workbench_.database().value().temperatures)
+            add(entry.name);
+        menu.addSection(tr("Materials"));
+        for (const auto& [index, entry] : workbench_.database().value().materials)
+            add(entry.name);
+    }
+    if (menu.actions().isEmpty())
+        menu.addAction(tr("the project has no signature database"))->setEnabled(false);
 }
 
 int DetectionPage::start() {

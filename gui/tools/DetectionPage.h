@@ -2,19 +2,23 @@
 
 #include <filesystem>
 #include <memory>
-#include <optional>
+#include <string>
+#include <vector>
 
 #include "gui/tools/ToolPage.h"
 #include "smatcore/analysis/Detection.h"
 
+class QCheckBox;
 class QComboBox;
 class QFormLayout;
 class QLabel;
+class QToolButton;
 
 namespace smat::gui {
 
 class PlotPanel;
 class RealBox;
+class SensorChooser;
 
 /// Tools, Detection range: how far a sensor sees the target over the aspects of the project's polar
 /// plot, as a rose. Sensors are those that come with the program, or a file.
@@ -28,8 +32,6 @@ class DetectionPage : public ToolPage {
     DetectionRequest request() const;
     AnalysisData asked() const;
     const PlotPanel& plot() const { return *plot_; }
-    /// Takes the sensor of a file into the list and chooses it; tells what is wrong with it.
-    void openSensor(const std::filesystem::path& file);
 
     QStringList exportFilters() const override;
     void exportTo(const std::filesystem::path& file) const override;
@@ -48,20 +50,22 @@ class DetectionPage : public ToolPage {
     QWidget* makeCriterionBox(QWidget* parent);
     QWidget* makePlaceBox(QWidget* parent);
     QWidget* makeRight();
-    void chooseSensor(int index);
-    void describeSensor();
     void drawResult();
+    /// Puts the temperatures and materials of the open database into the menu of what is left out.
+    void fillLeftOut();
 
-    QComboBox *sensors_ = nullptr, *criterion_ = nullptr, *task_ = nullptr, *place_ = nullptr,
-              *quantity_ = nullptr;
-    QLabel *sensorText_ = nullptr, *summary_ = nullptr;
+    SensorChooser* sensors_ = nullptr;
+    QComboBox *thresholdBy_ = nullptr, *clutterBy_ = nullptr;
+    QToolButton* leftOut_ = nullptr;
+    std::vector<std::string> leftOutNames_;
+    RealBox *falseAlarms_ = nullptr, *clutter_ = nullptr, *pointProbability_ = nullptr;
+    QCheckBox* sensitivity_ = nullptr;
+    QComboBox *criterion_ = nullptr, *task_ = nullptr, *place_ = nullptr, *quantity_ = nullptr;
+    QLabel* summary_ = nullptr;
     QFormLayout* criteria_ = nullptr;
     RealBox *snr_ = nullptr, *probability_ = nullptr, *sceneContrast_ = nullptr,
             *nearest_ = nullptr, *farthest_ = nullptr, *background_ = nullptr, *step_ = nullptr;
     PlotPanel* plot_ = nullptr;
-    int chosen_ = 0; ///< in the list of sensors
-    std::optional<irsg::SensorDescription> sensor_;
-    QString sensorProblem_;
     std::shared_ptr<const AnalysisData> result_;
 };
 

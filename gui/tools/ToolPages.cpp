@@ -11,6 +11,7 @@
 #include "gui/tools/DetectionPage.h"
 #include "gui/tools/MonteCarloPage.h"
 #include "gui/tools/RadiativePage.h"
+#include "gui/tools/SensorPage.h"
 #include "gui/tools/TemperatureProfilePage.h"
 #include "gui/widgets/Theme.h"
 #include "gui/workbench/Workbench.h"
@@ -40,6 +41,7 @@ constexpr std::array pages = {
               true, made<TemperatureProfilePage>},
     MenuEntry{"detection", "detectionRange", QT_TR_NOOP("&Detection range…"), false,
               made<DetectionPage>},
+    MenuEntry{"sensor", "sensorChain", QT_TR_NOOP("Sens&or chain…"), false, made<SensorPage>},
     MenuEntry{"montecarlo", "monteCarlo", QT_TR_NOOP("&Monte Carlo"), false, made<MonteCarloPage>},
     MenuEntry{"cost-accuracy", "frontier", QT_TR_NOOP("Time against &error"), false,
               made<CostAccuracyPage>}};

@@ -319,7 +319,10 @@ class Project:
         cycles: Optional[float] = None,
         probability: Optional[float] = None,
         false_alarms: Optional[float] = None,
-        clutter_K: Optional[float] = None,
+        clutter_K: Union[float, str, None] = None,
+        sensitivity: bool = False,
+        ranges_m: Optional[Sequence[float]] = None,
+        draws: int = 0,
         leave_out: Optional[Sequence[str]] = None,
         scene_contrast_K: Optional[float] = None,
         display_pixel_mrad: Optional[float] = None,
@@ -353,9 +356,18 @@ class Project:
         false_alarms : float, optional
             Of a point, in place of snr: the probability that noise alone passes the threshold in a
             pixel and a frame.
-        clutter_K : float, optional
+        clutter_K : float or 'auto', optional
             Of a point: the standard deviation of the background's apparent temperature from pixel
-            to pixel, which counts as noise, K; 0.
+            to pixel, which counts as noise, K; 0. 'auto': that of the rendered background beside
+            the target.
+        sensitivity : bool
+            Adds columns 'sensitivity_NAME', the relative change of the range per relative change
+            of each number of sensor, extinction and target.
+        ranges_m : sequence of float, optional
+            In place of the search of a range: the table has the probability at these ranges, m.
+        draws : int
+            With ranges_m: draws of the scaling files beside the models, over which the mean is
+            taken as well.
         leave_out : sequence of str, optional
             Of 'johnson' and 'ttp': temperatures and materials by their names whose surfaces are
             not counted, such as hot parts and plumes.
@@ -372,7 +384,7 @@ class Project:
         Returns
         -------
         Result
-            'detection_range' with its error over the aspect.
+            'detection_range' with its error over the aspect, or 'probability' over 'range'.
 
         Raises
         ------
@@ -393,6 +405,9 @@ class Project:
             "probability": probability,
             "false_alarms": false_alarms,
             "clutter_K": clutter_K,
+            "sensitivity": sensitivity,
+            "ranges_m": None if ranges_m is None else list(ranges_m),
+            "draws": draws,
             "leave_out": None if leave_out is None else list(leave_out),
             "scene_contrast_K": scene_contrast_K,
             "display_pixel_mrad": display_pixel_mrad,

@@ -129,7 +129,21 @@ DetectionRequest requestOf(const FileSensor& sensor, const py::dict& given) {
         request.threshold = thresholdOfFalseAlarms(given["false_alarms"].cast<double>());
     if (!given["leave_out"].is_none())
         request.leftOut = given["leave_out"].cast<std::vector<std::string>>();
-    request.clutter_K = number("clutter_K", request.clutter_K);
+    if (py::isinstance<py::str>(given["clutter_K"])) {
+        (void)wordOf("clutter_K", given["clutter_K"].cast<std::string>(), {"auto"});
+        request.measuresClutter = true;
+    } else {
+        request.clutter_K = number("clutter_K", request.clutter_K);
+    }
+    request.findsSensitivity = given["sensitivity"].cast<bool>();
+    if (!given["ranges_m"].is_none())
+        for (const double range_m : given["ranges_m"].cast<std::vector<double>>())
+            request.ranges_m.push_back(positive("ranges_m", range_m, "ranges above 0 m"));
+    request.draws = given["draws"].cast<std::size_t>();
+    if (request.draws > 0 && request.ranges_m.empty())
+        throw badArgument("draws", std::to_string(request.draws), "0 without ranges_m");
+    if (request.findsSensitivity && !request.ranges_m.empty())
+        throw badArgument("sensitivity", "True", "False with ranges_m: no range is sought");
     request.display = {
         .pixel_mrad = number("display_pixel_mrad", request.display.pixel_mrad),
         .luminance_cd_m2 = number("display_luminance_cd_m2", request.display.luminance_cd_m2),

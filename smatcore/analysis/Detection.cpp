@@ -3,26 +3,27 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
+#include <iterator>
 #include <limits>
-#include <map>
-#include <set>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "irsg/atmosphere/EnvironmentVariants.h"
-#include "irsg/atmosphere/NearestRun.h"
 #include "irsg/core/AppendUnique.h"
 #include "irsg/core/Errors.h"
 #include "irsg/core/Quantity.h"
 #include "irsg/core/Wording.h"
 #include "irsg/sensor/NormalQuantile.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
-#include "smatcore/analysis/AnalysisProvenance.h"
 #include "smatcore/analysis/CaseWarnings.h"
 #include "smatcore/analysis/CommandSettings.h"
-#include "smatcore/analysis/PartColumns.h"
-#include "smatcore/analysis/TargetSight.h"
+#include "smatcore/analysis/DetectionProbability.h"
+#include "smatcore/analysis/DetectionProvenance.h"
+#include "smatcore/analysis/RangeSensitivity.h"
+#include "smatcore/analysis/SampleStatistics.h"
+#include "smatcore/analysis/TargetAspect.h"
 #include "smatcore/settings/SettingKeys.h"
 #include "smatcore/support/ShellText.h"
 
@@ -32,139 +33,7 @@ namespace {
 
 using Found = irsg::DetectionRange::Found;
 
-/// The surfaces of an object that do not count.
-struct LeftOut {
-    std::set<int> temperatures, materials;
-
-    bool has(const irsg::SurfaceRadiometry& surface) const {
-        return temperatures.contains(surface.temperature) || materials.contains(surface.material);
-    }
-};
-
-/// By entity; none where nothing is left out. Throws InputError for names that no entry has.
-std::vector<LeftOut> leftOutOf(const SceneDescription& scene,
-                               const std::vector<std::string>& names) {
-    if (names.empty())
-        return {};
-    std::vector<LeftOut> out(scene.entities.size());
-    std::vector<std::string> known;
-    std::set<std::string> met;
-    const auto take = [&](const irsg::Entity& entity, PartsBy by, std::set<int>& indices) {
-        for (const ObjectPart& part : partsOf(entity, by)) {
-            irsg::appendUnique(known, {part.label});
-            if (std::ranges::find(names, part.label) == names.end())
-                continue;
-            indices.insert(part.index);
-            met.insert(part.label);
-        }
-    };
-    for (std::size_t i = 0; i < out.size(); ++i) {
-        take(scene.entities[i], PartsBy::temperature, out[i].temperatures);
-        take(scene.entities[i], PartsBy::material, out[i].materials);
-    }
-    std::vector<irsg::Diagnostic> diagnostics;
-    for (const std::string& name : names)
-        if (!met.contains(name))
-            diagnostics.push_back(
-                {"", "surfaces that are left out", name, irsg::alternatives(known)});
-    if (!diagnostics.empty())
-        throw irsg::InputError(diagnostics);
-    return out;
-}
-
-/// One aspect at any range.
-class Aspect {
-  public:
-    Aspect(TargetSight& seeing, const CasePlacer& placer, const SceneDescription& scene,
-           const RenderDoor& door, AnalysisCase one, const std::vector<LeftOut>& leftOut,
-           AnalysisData& data, CaseWarnings& warnings)
-        : seeing_(seeing),
-          placer_(placer),
-          scene_(scene),
-          door_(door),
-          case_(std::move(one)),
-          leftOut_(leftOut),
-          data_(data),
-          warnings_(warnings) {}
-
-    TargetLook at(double range_m, bool withErrors) {
-        const auto key = std::pair(range_m, withErrors);
-        if (const auto known = known_.find(key); known != known_.end())
-            return known->second;
-        case_.range_m = range_m;
-        const PlacedCase placed = placer_.place(scene_, case_);
-        const irsg::Outputs outputs = irsg::Outputs::reports()
-                                          .alongRange()
-                                          .withErrors(withErrors)
-                                          .bySurface(!leftOut_.empty());
-        const irsg::RenderReport report = placed.render(door_, outputs).reports.front();
-        irsg::addProvider(data_.providedBy, report.providedBy);
-        warnings_.addReport(report, data_.settings[key::renderLayers]);
-        TargetLook look;
-        look.contrast_W_m2 = report.all.irradiance_W_m2;
-        look.contrast_W_sr = report.all.contrastIntensity_W_sr;
-        look.solidAngle_sr = report.all.solidAngle_sr;
-        for (const irsg::ObjectRadiometry& object : report.objects)
-            if (report.all.solidAngle_sr == 0.0)
-                look.solidAngle_sr += object.solidAngle_sr;
-        look.counted_W_m2 = look.contrast_W_m2;
-        for (std::size_t i = 0; i < leftOut_.size(); ++i)
-            for (const irsg::SurfaceRadiometry& surface : report.objects.at(i).surfaces)
-                if (leftOut_[i].has(surface)) {
-                    look.counted_W_m2 -= surface.irradiance_W_m2;
-                    look.solidAngle_sr -= surface.solidAngle_sr;
-                }
-        if (report.all.errors)
-            look.error_W_m2 = report.all.errors->irradiance_W_m2.sum();
-        seeing_.see(look, report.background_W_m2_sr);
-        return known_[key] = look;
-    }
-
-    /// At the range that was found, interpolated on the grid; the relative error is that of the
-    /// nearest range there.
-    TargetLook between(const irsg::DetectionRange& found) {
-        std::vector<TargetLook> looks;
-        for (const auto& node : found.around)
-            looks.push_back(at(node.range_m, false));
-        // By logarithms, which bend little, where there are some.
-        const auto mean = [&](double TargetLook::*member) {
-            double sum = 0.0, logarithms = 0.0;
-            bool isOfOneSign = true;
-            for (std::size_t i = 0; i < looks.size(); ++i) {
-                const double value = looks[i].*member, weight = found.around[i].weight;
-                sum += weight * value;
-                isOfOneSign = isOfOneSign && value * looks.front().*member > 0.0;
-                if (isOfOneSign)
-                    logarithms += weight * std::log(std::abs(value));
-            }
-            return isOfOneSign ? std::copysign(std::exp(logarithms), looks.front().*member) : sum;
-        };
-        TargetLook look;
-        for (double TargetLook::*const member :
-             {&TargetLook::contrast_W_m2, &TargetLook::contrast_W_sr, &TargetLook::counted_W_m2,
-              &TargetLook::solidAngle_sr, &TargetLook::nei_W_m2, &TargetLook::difference_K,
-              &TargetLook::cycles})
-            look.*member = mean(member);
-        look.isFull = std::ranges::any_of(looks, &TargetLook::isFull);
-        const auto nearest =
-            std::ranges::max_element(found.around, {}, &irsg::DetectionRange::Node::weight);
-        const TargetLook known = at(nearest->range_m, true);
-        if (known.contrast_W_m2 != 0.0)
-            look.error_W_m2 = known.error_W_m2 * std::abs(look.contrast_W_m2 / known.contrast_W_m2);
-        return look;
-    }
-
-  private:
-    TargetSight& seeing_;
-    const CasePlacer& placer_;
-    const SceneDescription& scene_;
-    const RenderDoor& door_;
-    AnalysisCase case_;
-    const std::vector<LeftOut>& leftOut_;
-    AnalysisData& data_;
-    CaseWarnings& warnings_;
-    std::map<std::pair<double, bool>, TargetLook> known_;
-};
+const std::string sensitivityPrefix = "sensitivity_";
 
 void addColumns(ResultTable& table, const AnalysisPlan& plan, const DetectionRequest& request) {
     for (const irsg::Quantity quantity : plan.columns)
@@ -186,6 +55,11 @@ void addColumns(ResultTable& table, const AnalysisPlan& plan, const DetectionReq
         table.add("probability", "");
     if (!request.leftOut.empty())
         table.add("left_out", "");
+    if (request.measuresClutter)
+        table.add("clutter", "K");
+    if (request.findsSensitivity)
+        for (const SensitivityName& number : sensitivityNames(request))
+            table.add(sensitivityPrefix + number.key, "");
 }
 
 /// What an aspect warns of, "" for nothing.
@@ -214,6 +88,25 @@ void summariseRanges(AnalysisData& data) {
     };
     data.summary.push_back({"Longest detection range" + where(most), *most, "m"});
     data.summary.push_back({"Shortest detection range" + where(least), *least, "m"});
+}
+
+/// Of the values that are numbers; NaN of none.
+double meanOfNumbers(const ResultColumn& column) {
+    std::vector<double> values = column.values;
+    std::erase_if(values, [](double value) { return !std::isfinite(value); });
+    return values.empty() ? std::numeric_limits<double>::quiet_NaN() : meanOf(values);
+}
+
+/// The means over the aspects, the largest first.
+void summariseSensitivities(AnalysisData& data, const DetectionRequest& request) {
+    std::vector<SummaryItem> items;
+    for (const SensitivityName& number : sensitivityNames(request))
+        if (const double mean = meanOfNumbers(*data.table.find(sensitivityPrefix + number.key));
+            std::isfinite(mean))
+            items.push_back({"Sensitivity of the range to: " + number.title, mean, ""});
+    std::ranges::stable_sort(items, std::greater<>(),
+                             [](const SummaryItem& item) { return std::abs(item.value); });
+    data.summary.insert(data.summary.end(), items.begin(), items.end());
 }
 
 } // namespace
@@ -287,9 +180,16 @@ std::string detectionCommand(const Project& project, const Settings& settings,
         if (request.pointProbability)
             number("--probability", 100.0 * *request.pointProbability, 0.0);
         number("--clutter", request.clutter_K, 0.0);
+        if (request.measuresClutter)
+            command += " --clutter auto";
         if (request.place != usual.place)
             command += " --point " + pointPlaceWords()[static_cast<std::size_t>(request.place)];
     }
+    if (request.findsSensitivity)
+        command += " --sensitivity";
+    for (std::size_t i = 0; i < request.ranges_m.size(); ++i)
+        command += (i == 0 ? " --ranges " : ",") + irsg::numberText(request.ranges_m[i]);
+    number("--draws", static_cast<double>(request.draws), 0.0);
     number("--nearest", request.limits.nearest_m, usual.limits.nearest_m);
     number("--farthest", request.limits.farthest_m, usual.limits.farthest_m);
     number("--looks", request.limits.looksPerDecade, usual.limits.looksPerDecade);
@@ -301,45 +201,27 @@ std::string detectionCommand(const Project& project, const Settings& settings,
 
 void runDetection(AnalysisData& data, const DetectionRequest& request, const RenderDoor& door,
                   const SceneFactory& scenes, const RunControl& control) {
+    if (!request.ranges_m.empty())
+        return runDetectionProbability(data, request, door, scenes, control);
     const auto start = std::chrono::steady_clock::now();
     const auto elapsed_s = [&] {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     };
-    // What a polar plot says of where its cases are holds here, too.
-    data.kind = AnalysisKind::polar;
-    const Settings settings = withFixedSteps(data.kind, data.settings);
-    AnalysisPlan plan = planAnalysis(data.kind, data.project, settings);
-    SceneDescription scene = scenes(data.project, settings);
-    scene.environment = irsg::onTheFly(scene.environment);
-    // Contrast is of the whole target, whatever the sensor's frame is at its range.
-    scene.sensor.band = request.sensor.band();
-    scene.moreBands.clear();
-    // Far away a target is smaller than a pixel, which other modes miss.
-    if (!scene.settings.usesAlignedTiles()) {
-        scene.settings.tileStrategy = irsg::TileStrategy::aligned;
-        scene.settings.tileSide_samples = irsg::RenderSettings().tileSide_samples;
-        data.warnings.push_back(
-            fmt::format("the antialiasing of the settings misses targets below a pixel: ranges are "
-                        "sought with tiles of {} samples",
-                        scene.settings.tileSide_samples));
-    }
-    const CasePlacer placer(door, scene);
-    for (const irsg::Entity& entity : scene.entities)
-        data.databases.push_back(entity.database);
-    data.renderer = door.description(scene);
-    irsg::appendUnique(data.warnings, scene.remarks);
-
-    const std::vector<LeftOut> leftOut = leftOutOf(scene, request.leftOut);
+    const DetectionScene shared(data, request, door, scenes);
+    const AnalysisPlan& plan = shared.plan;
     TargetSight seeing(request);
     const double wanted = seeing.wanted();
     const bool isOfCycles = seeing.isOfCycles();
     addColumns(data.table, plan, request);
+    std::optional<RangeSensitivity> sensitivity;
+    if (request.findsSensitivity)
+        sensitivity.emplace(shared, request);
     CaseWarnings warnings;
     std::size_t done = 0, resolved = 0, never = 0, beyond = 0, full = 0;
     if (control.isRehearsal) {
         AnalysisCase first = plan.cases.front();
         first.range_m = request.limits.nearest_m;
-        const PlacedCase placed = placer.place(scene, first);
+        const PlacedCase placed = shared.placer.place(shared.scene, first);
         door.check(placed.scene, placed.view, irsg::Outputs::reports());
         return;
     }
@@ -353,7 +235,9 @@ void runDetection(AnalysisData& data, const DetectionRequest& request, const Ren
         if (control.progress)
             control.progress({done, plan.cases.size(), elapsed_s(), "detection: " + place});
         warnings.beginCase(place);
-        Aspect aspect(seeing, placer, scene, door, one, leftOut, data, warnings);
+        TargetAspect aspect(shared, shared.scene, seeing, one, data, warnings);
+        const double clutter_K =
+            request.measuresClutter ? aspect.measureClutter(request.sensor) : 0.0;
         (void)aspect.at(request.limits.nearest_m, false); // refuses what no range would change
         const auto ratio = [&](double range_m) {
             try {
@@ -397,9 +281,14 @@ void runDetection(AnalysisData& data, const DetectionRequest& request, const Ren
             row.insert(row.end(), {look.difference_K, look.cycles});
         if (isOfCycles || request.pointProbability)
             row.push_back(seeing.probability(look));
-        if (!leftOut.empty())
+        if (!shared.leftOut.empty())
             row.push_back(look.contrast_W_m2 == 0.0 ? 0.0
                                                     : 1.0 - look.counted_W_m2 / look.contrast_W_m2);
+        if (request.measuresClutter)
+            row.push_back(clutter_K);
+        if (sensitivity)
+            std::ranges::copy(sensitivity->at(found, look, aspect, one, data, warnings),
+                              std::back_inserter(row));
         data.table.addRow(row, warning);
         ++done;
     }
@@ -421,45 +310,13 @@ void runDetection(AnalysisData& data, const DetectionRequest& request, const Ren
             fmt::format("stopped after {} of {} cases", done, plan.cases.size()));
     data.state = done == plan.cases.size() ? AnalysisState::complete : AnalysisState::partial;
     data.elapsed_s = elapsed_s();
-    writeProvenance(data, scene);
-    data.kind = detectionKind();
-    Provenance& provenance = data.table.provenance;
-    // A polar plot of these settings has other numbers.
-    for (auto& [key, value] : provenance.entries)
-        if (key == "analysis")
-            value = name(data.kind);
-    provenance.add("detection.sensor", request.sensor.title);
-    provenance.add("detection.criterion",
-                   criterionWords()[static_cast<std::size_t>(request.criterion)]);
-    if (isOfCycles) {
-        provenance.add("detection.cyclesOfHalf", irsg::numberText(request.task.cyclesOfHalf));
-        provenance.add("detection.probability", irsg::numberText(request.task.probability));
-        provenance.add("detection.cycles", irsg::numberText(wanted));
-        provenance.add("detection.observer",
-                       fmt::format("threshold {}, {} s, {} Hz", request.observer.threshold,
-                                   request.observer.integration_s,
-                                   request.sensor.electronics.frameRate_Hz));
-        for (const std::string& name : request.leftOut)
-            provenance.add("detection.leftOut", name);
-        if (request.criterion == RangeCriterion::targeting)
-            provenance.add("detection.display",
-                           fmt::format("{} mrad a pixel, {} cd m-2, {} K of scene contrast",
-                                       request.display.pixel_mrad, request.display.luminance_cd_m2,
-                                       request.display.sceneContrast_K));
-    } else {
-        provenance.add("detection.snr", irsg::numberText(request.threshold));
-        provenance.add("detection.ensquaredEnergy", irsg::numberText(seeing.energy()));
-        if (request.pointProbability) {
-            provenance.add("detection.probability", irsg::numberText(*request.pointProbability));
-            provenance.add("detection.snrOfProbability", irsg::numberText(wanted));
-        }
-        if (request.clutter_K > 0.0)
-            provenance.add("detection.clutter", irsg::numberText(request.clutter_K) + " K");
-    }
-    provenance.add("detection.background", request.background_K
-                                               ? irsg::numberText(*request.background_K) + " K"
-                                               : "of the scene");
+    tellDetection(data, shared, request, seeing);
     summariseRanges(data);
+    if (request.measuresClutter)
+        data.summary.push_back(
+            {"Clutter of the background, mean", meanOfNumbers(*data.table.find("clutter")), "K"});
+    if (request.findsSensitivity)
+        summariseSensitivities(data, request);
 }
 
 } // namespace smat

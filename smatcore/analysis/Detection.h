@@ -49,6 +49,16 @@ struct DetectionRequest {
     /// Of points: the standard deviation of the background from pixel to pixel, as that of its
     /// apparent temperature, which is noise as well.
     double clutter_K = 0.0;
+    /// Of points: the same of the background's own pixels about the target, at the range of each
+    /// case (backgroundClutter), in place of a number.
+    bool measuresClutter = false;
+    /// Adds how sensitive the range is to each number of sensor, air and signature.
+    bool findsSensitivity = false;
+    /// Where the probability is looked at, m, > 0, in place of the search of a range; empty: the
+    /// range is sought.
+    std::vector<double> ranges_m;
+    /// Of a probability over range: draws of the scaling files beside the models; 0: none.
+    std::size_t draws = 0;
     RangeTask task; ///< of cycles
     /// Of cycles: temperatures and materials, by the names of partsOf, whose surfaces are not
     /// counted: hot parts and plumes, which raise the mean contrast though nobody resolves them.
@@ -59,6 +69,9 @@ struct DetectionRequest {
     PointPlace place = PointPlace::centre;
     /// Of the noise; none: that of the scene behind the target, at each range.
     std::optional<double> background_K;
+
+    /// Whether a point has a probability.
+    bool needsProbability() const { return pointProbability || !ranges_m.empty(); }
 };
 
 /// The kind of its results.
@@ -94,8 +107,11 @@ std::string detectionCommand(const Project& project, const Settings& settings,
 /// asks for; of cycles `temperature_difference`, `cycles` and `probability` as well, of points with
 /// a probability this. Where surfaces are left out, contrast and solid angle of cycles and `extent`
 /// are those of the others, and `left_out` is their part of the contrast irradiance.
-/// Ranges that the scene refuses (a path into the ground) count as those without a signal, with a
-/// warning; the nearest must not be one. A stop keeps the cases that are done. Throws InputError.
+/// With measured clutter there is a column `clutter` in K, and with sensitivities the relative
+/// change of the range per relative change of each number, `sensitivity_NAME` (rangeSensitivities).
+/// With ranges the table is that of runDetectionProbability. Ranges that the scene refuses (a path
+/// into the ground) count as those without a signal, with a warning; the nearest must not be one. A
+/// stop keeps the cases that are done. Throws InputError.
 void runDetection(AnalysisData& data, const DetectionRequest& request, const RenderDoor& door,
                   const SceneFactory& scenes, const RunControl& control = {});
 

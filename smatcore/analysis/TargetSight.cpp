@@ -49,14 +49,15 @@ TargetSight::TargetSight(const DetectionRequest& request)
         resolvable_.emplace(request.sensor, usual_K(), request.observer);
     if (request.criterion == RangeCriterion::targeting)
         targeting_.emplace(request.sensor, usual_K(), request.observer, request.display);
-    if (request.pointProbability)
+    if (request.needsProbability())
         energies_ = energiesOf(request.sensor, usual_K());
 }
 
-void TargetSight::see(TargetLook& look, double background_W_m2_sr) {
-    const Background& behind = background(background_W_m2_sr);
+void TargetSight::see(TargetLook& look) {
+    const Background& behind = background(look.background_W_m2_sr);
     look.isFull = behind.isFull;
-    look.nei_W_m2 = std::hypot(behind.noise.total(), behind.clutter) /
+    look.nei_W_m2 = std::hypot(behind.noise.total(), behind.clutter,
+                               look.clutter_W_m2_sr * response_.signalPerRadiance()) /
                     (response_.signalPerIrradiance() * energy_);
     if (!isOfCycles() || look.solidAngle_sr <= 0.0)
         return;
@@ -121,6 +122,14 @@ TargetSight::Background TargetSight::made(double radiance_W_m2_sr) const {
     made.noise = response_.noise(signal);
     if (!isOfCycles() && request_.clutter_K == 0.0)
         return made;
+    made.contrast_per_K = response_.contrast_per_K(temperature_K(radiance_W_m2_sr));
+    made.clutter = request_.clutter_K * made.contrast_per_K;
+    made.perceived_K =
+        irsg::perceivedNoise_K(request_.sensor, made.noise, made.contrast_per_K, request_.observer);
+    return made;
+}
+
+double TargetSight::temperature_K(double radiance_W_m2_sr) const {
     const std::optional<double> background_K =
         request_.background_K
             ? request_.background_K
@@ -132,11 +141,15 @@ TargetSight::Background TargetSight::made(double radiance_W_m2_sr) const {
              "at least " + irsg::numberText(leastBackground_K) +
                  " K, before which bars and clutter have a temperature difference, or a "
                  "background temperature that is given"});
-    made.contrast_per_K = response_.contrast_per_K(*background_K);
-    made.clutter = request_.clutter_K * made.contrast_per_K;
-    made.perceived_K =
-        irsg::perceivedNoise_K(request_.sensor, made.noise, made.contrast_per_K, request_.observer);
-    return made;
+    return *background_K;
+}
+
+double TargetSight::temperatureDifference_K(double difference_W_m2_sr,
+                                            double background_W_m2_sr) const {
+    return difference_W_m2_sr == 0.0
+               ? 0.0
+               : difference_W_m2_sr * response_.signalPerRadiance() /
+                     response_.contrast_per_K(temperature_K(background_W_m2_sr));
 }
 
 } // namespace smat

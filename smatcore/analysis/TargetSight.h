@@ -16,6 +16,8 @@ namespace smat {
 struct TargetLook {
     double contrast_W_m2 = 0.0, contrast_W_sr = 0.0, error_W_m2 = 0.0;
     double counted_W_m2 = 0.0, solidAngle_sr = 0.0; ///< of the surfaces that count
+    double background_W_m2_sr = 0.0;
+    double clutter_W_m2_sr = 0.0; ///< of the background's own pixels
     double nei_W_m2 = 0.0;
     double difference_K = 0.0, cycles = 0.0; ///< of criteria of cycles
     bool isFull = false;                     ///< the pixel, of the background alone
@@ -31,9 +33,12 @@ class TargetSight {
 
     /// The ensquared energy of a point at the place that is asked for.
     double energy() const { return energy_; }
-    /// Sets what follows from contrast, solid angle and the background's radiance. Throws
+    /// Sets what follows from contrast, solid angle, clutter and the background's radiance. Throws
     /// InputError for a background without a temperature where one is needed.
-    void see(TargetLook& look, double background_W_m2_sr);
+    void see(TargetLook& look);
+    /// A difference of radiance as one of the temperature of a background of this radiance, or of
+    /// the one that is asked for. 0 of 0; else throws InputError for one without a temperature.
+    double temperatureDifference_K(double difference_W_m2_sr, double background_W_m2_sr) const;
 
     bool isOfCycles() const { return resolvable_ || targeting_; }
     /// What has to be reached: cycles, or the ratio of a point. Throws InputError for a
@@ -64,6 +69,7 @@ class TargetSight {
     double usual_K() const { return request_.background_K.value_or(300.0); }
     const Background& background(double radiance_W_m2_sr);
     Background made(double radiance_W_m2_sr) const;
+    double temperature_K(double radiance_W_m2_sr) const;
 
     const DetectionRequest& request_;
     irsg::PixelResponse response_;

@@ -396,6 +396,145 @@ TEST(SmatBatchSensor, APointIsDetectedWithItsProbabilityOverAllPlacesInAPixel) {
     EXPECT_THAT(both.err, HasSubstr("--snr"));
 }
 
+TEST(SmatBatchSensor, ProbabilityOverRangeIsThatOfTheSignalWithItsNoise) {
+    const TemporaryFolder folder;
+    const irsg::SensorDescription sensor = irsg::loadSensor(sensorFile(folder));
+    const auto tableOf = [&](const std::vector<std::string>& more) {
+        const Ran ran = smatBatch(with(
+            with({"detection", sample("sphere/sphere.smat"), "--sensor", sensorFile(folder),
+                  "--step", "180", "--background-temperature", "300", "--out", folder / "p.csv"},
+                 plain),
+            more));
+        EXPECT_EQ(ran.exitCode, 0) << ran.err;
+        return ResultTable::load(folder / "p.csv");
+    };
+    const ResultTable rose = tableOf({"--snr", "5", "--probability", "90"});
+    const double range_m = valueOf(rose, "detection_range", 0);
+    const ResultTable table =
+        tableOf({"--snr", "5", "--ranges",
+                 irsg::numberText(range_m) + "," + irsg::numberText(1.5 * range_m) + "," +
+                     irsg::numberText(100.0 * range_m)});
+    ASSERT_EQ(table.rowCount(), 3u);
+    EXPECT_NEAR(valueOf(table, "probability", 0), 0.9, 1e-3);
+    // In vacuum the ratio falls with the square of the range; the mean over places by the
+    // midpoint rule.
+    const irsg::PointSpread spread(sensor, 300.0);
+    const double snr = valueOf(rose, "snr", 0) / 2.25;
+    EXPECT_NEAR(valueOf(table, "snr", 1), snr, 1e-3 * snr);
+    double probability = 0.0;
+    for (int i = 0; i < 16; ++i) {
+        for (int j = 0; j < 16; ++j) {
+            const double ratio = snr * spread.energyAt((i + 0.5) / 32.0, (j + 0.5) / 32.0) /
+                                 spread.energyAt(0.0, 0.0);
+            probability += 0.5 * std::erfc((5.0 - ratio) / std::sqrt(2.0)) / 256.0;
+        }
+    }
+    EXPECT_NEAR(valueOf(table, "probability", 1), probability, 2e-3);
+    EXPECT_GT(probability, 0.01);
+    // Far away noise alone is left.
+    EXPECT_NEAR(valueOf(table, "probability", 2), 0.5 * std::erfc(5.0 / std::sqrt(2.0)), 1e-8);
+    EXPECT_LE(valueOf(table, "least_probability", 1), valueOf(table, "probability", 1));
+    EXPECT_GE(valueOf(table, "greatest_probability", 1), valueOf(table, "probability", 1));
+
+    // A task: 50 % where its cycles are, by its law elsewhere.
+    for (const auto& [criterion, law] :
+         {std::pair{"johnson", irsg::johnsonLaw}, {"ttp", irsg::targetingLaw}}) {
+        const std::vector<std::string> bars = {"--criterion", criterion, "--task", "recognition"};
+        const double half_m =
+            valueOf(tableOf(with(bars, {"--nearest", "10"})), "detection_range", 0);
+        const ResultTable task = tableOf(with(
+            bars, {"--ranges", irsg::numberText(half_m) + "," + irsg::numberText(2 * half_m)}));
+        EXPECT_NEAR(valueOf(task, "probability", 0), 0.5, 2e-3) << criterion;
+        const double cyclesOfHalf = valueOf(task, "cycles", 0);
+        EXPECT_NEAR(valueOf(task, "probability", 1),
+                    irsg::taskProbability(0.5 * cyclesOfHalf, cyclesOfHalf, law), 2e-3)
+            << criterion;
+    }
+    for (const std::vector<std::string>& wrong :
+         {std::vector<std::string>{"--ranges", "0,5"},
+          {"--ranges", "5,x"},
+          {"--draws", "4"},
+          {"--ranges", "500", "--sensitivity"},
+          {"--ranges", "500", "--nearest", "10"},
+          {"--ranges", "500", "--draws", "4"}}) { // beside the sphere is no scaling file
+        const Ran refused =
+            smatBatch(with({"detection", sample("sphere/sphere.smat"), "--sensor",
+                            sensorFile(folder), "--step", "180", "--out", folder / "x.csv"},
+                           wrong));
+        EXPECT_EQ(refused.exitCode, 2) << wrong.front() << " " << wrong.back();
+    }
+}
+
+TEST(SmatBatchSensor, SensitivitiesInVacuumAreThoseOfTheClosedForm) {
+    const TemporaryFolder folder;
+    const auto tableOf = [&](const irsg::SensorDescription& sensor) {
+        saveSensor(sensor, folder / "one.smatsensor");
+        const Ran ran =
+            smatBatch(with({"detection", sample("sphere/sphere.smat"), "--sensor",
+                            folder / "one.smatsensor", "--step", "180", "--background-temperature",
+                            "300", "--sensitivity", "--out", folder / "s.csv"},
+                           plain));
+        EXPECT_EQ(ran.exitCode, 0) << ran.err;
+        EXPECT_THAT(ran.out, HasSubstr("Sensitivity of the range to: aperture"));
+        return ResultTable::load(folder / "s.csv");
+    };
+    // R = sqrt(I / (NEI SNR)), NEI = noise / (signal per irradiance).
+    const irsg::SensorDescription sensor = smallSensor();
+    const ResultTable table = tableOf(sensor);
+    const irsg::PixelResponse response(sensor);
+    const irsg::PixelNoise noise = response.noise(response.signal(300.0));
+    const double photons = std::pow(noise.photon / noise.total(), 2);
+    const double read = std::pow(noise.read / noise.total(), 2);
+    EXPECT_GT(photons, 0.1);
+    EXPECT_GT(read, 0.001);
+    EXPECT_NEAR(valueOf(table, "sensitivity_threshold", 0), -0.5, 1e-3);
+    EXPECT_NEAR(valueOf(table, "sensitivity_read_noise", 0), -0.5 * read, 1e-4);
+    for (const char* key : {"transmission", "response", "integration_time"}) {
+        EXPECT_NEAR(valueOf(table, (std::string("sensitivity_") + key).c_str(), 0),
+                    0.5 * (1.0 - 0.5 * photons), 1e-3)
+            << key;
+    }
+    EXPECT_NEAR(valueOf(table, "sensitivity_extinction", 0), 0.0, 2e-3);
+    EXPECT_EQ(table.find("sensitivity_jitter"), nullptr) << "there is none";
+    // The whole search gives the same for a larger aperture, whose blur is less as well.
+    const auto rangeOf = [&](double factor) {
+        irsg::SensorDescription changed = sensor;
+        changed.optics.aperture_m *= factor;
+        return valueOf(tableOf(changed), "detection_range", 0);
+    };
+    EXPECT_NEAR(valueOf(table, "sensitivity_aperture", 0),
+                std::log(rangeOf(1.01) / rangeOf(0.99)) / std::log(1.01 / 0.99), 2e-3);
+    // A grey target before nothing: its light goes with the emissivity, and with the temperature
+    // as Planck's law at 4.05 um does.
+    EXPECT_NEAR(valueOf(table, "sensitivity_emissivity", 0), 0.5, 2e-3);
+    EXPECT_GT(valueOf(table, "sensitivity_temperature", 0), 2.0);
+}
+
+TEST(SmatBatchSensor, ClutterOfAnEvenBackgroundIsNone) {
+    const TemporaryFolder folder;
+    const auto tableOf = [&](const std::vector<std::string>& more) {
+        const Ran ran =
+            smatBatch(with(with({"detection", sample("sphere/sphere.smat"), "--sensor",
+                                 sensorFile(folder), "--step", "180", "--range", "20000",
+                                 "--background-temperature", "300", "--out", folder / "c.csv"},
+                                plain),
+                           more));
+        EXPECT_EQ(ran.exitCode, 0) << ran.err;
+        return ResultTable::load(folder / "c.csv");
+    };
+    const ResultTable even = tableOf({"--clutter", "auto"});
+    EXPECT_NEAR(valueOf(even, "clutter", 0), 0.0, 1e-9);
+    EXPECT_NEAR(valueOf(even, "detection_range", 0) / valueOf(tableOf({}), "detection_range", 0),
+                1.0, 1e-6);
+    EXPECT_EQ(even.provenance.value("detection.clutter"), "of the background's pixels");
+    const Ran near = smatBatch(
+        with({"detection", sample("sphere/sphere.smat"), "--sensor", sensorFile(folder), "--step",
+              "180", "--range", "30", "--clutter", "auto", "--out", folder / "x.csv"},
+             plain));
+    EXPECT_EQ(near.exitCode, 2);
+    EXPECT_THAT(near.err, HasSubstr("clutter"));
+}
+
 TEST(SmatBatchSensor, TabulatesNominalRanges) {
     const TemporaryFolder folder;
     const Ran ran = smatBatch({"sensor", "range", sensorFile(folder), "--extinctions", "0,1",

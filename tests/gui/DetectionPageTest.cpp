@@ -4,12 +4,15 @@
 
 #include <fstream>
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QToolButton>
 
 #include "gui/analysis/ResultPage.h"
 #include "gui/plot/PlotPanel.h"
@@ -124,6 +127,55 @@ TEST_F(DetectionPageTest, TheTargetingTaskHasItsOwnCyclesAndADisplay) {
     }
     find<QComboBox>("criterion")->setCurrentIndex(1);
     EXPECT_EQ(find<QComboBox>("task")->itemText(1), "recognition: 3 cycles");
+}
+
+TEST_F(DetectionPageTest, APointHasFalseAlarmsProbabilityClutterAndSensitivity) {
+    openPage();
+    EXPECT_FALSE(find<RealBox>("falseAlarms")->isVisibleTo(page));
+    EXPECT_FALSE(find<RealBox>("clutter")->isVisibleTo(page));
+    find<QComboBox>("thresholdBy")->setCurrentIndex(1);
+    EXPECT_TRUE(find<RealBox>("falseAlarms")->isVisibleTo(page));
+    EXPECT_FALSE(find<RealBox>("snr")->isVisibleTo(page));
+    EXPECT_NEAR(page->request().threshold, 4.753424309, 1e-6) << "once in a million";
+    find<RealBox>("pointProbability")->setValue(90.0);
+    find<QComboBox>("clutterBy")->setCurrentIndex(1);
+    find<RealBox>("clutter")->setValue(0.25);
+    EXPECT_EQ(page->request().clutter_K, 0.25);
+    find<RealBox>("backgroundTemperature")->setValue(290.0);
+    find<RealBox>("farthest")->setValue(1e7);
+    find<QCheckBox>("sensitivity")->setChecked(true);
+    EXPECT_TRUE(find<QLineEdit>("command")->text().contains(
+        "--probability 90 --clutter 0.25 --sensitivity"))
+        << find<QLineEdit>("command")->text().toStdString();
+    run();
+    EXPECT_TRUE(find<QLabel>("summary")->text().contains("Sensitivity of the range to: threshold"));
+    auto* quantity = find<QComboBox>("quantity");
+    EXPECT_GE(quantity->findData("sensitivity_aperture"), 0);
+    window->resize(1280, 900);
+    test::keepScreenshot(*window, "detection-fields");
+    find<QComboBox>("clutterBy")->setCurrentIndex(2);
+    EXPECT_TRUE(find<QLineEdit>("command")->text().contains("--clutter auto"));
+    EXPECT_EQ(page->request().clutter_K, 0.0);
+}
+
+TEST_F(DetectionPageTest, HotPartsAreLeftOutByTheirNames) {
+    openPage();
+    auto* leftOut = find<QToolButton>("leftOut");
+    EXPECT_FALSE(leftOut->isVisibleTo(page));
+    find<QComboBox>("criterion")->setCurrentIndex(1);
+    EXPECT_TRUE(leftOut->isVisibleTo(page));
+    EXPECT_EQ(leftOut->text(), "nothing");
+    emit leftOut->menu()->aboutToShow();
+    for (QAction* action : leftOut->menu()->actions()) {
+        if (action->text() == "funnel") {
+            action->trigger();
+        }
+    }
+    EXPECT_EQ(leftOut->text(), "funnel");
+    EXPECT_EQ(page->request().leftOut, std::vector<std::string>{"funnel"});
+    EXPECT_TRUE(find<QLineEdit>("command")->text().contains("--leave-out funnel"));
+    find<QComboBox>("criterion")->setCurrentIndex(0);
+    EXPECT_TRUE(page->request().leftOut.empty());
 }
 
 TEST_F(DetectionPageTest, SaysWhatIsWrongWithASensorAndWithLimits) {

@@ -75,10 +75,11 @@ class UserGuideTest : public test::WindowFixture {
                                  "radiativeOutput",  "temperatureProfile",
                                  "newAir",           "projectAir",
                                  "importAir",        "detectionRange",
-                                 "monteCarlo",       "frontier",
-                                 "menuLibrary",      "showShortcuts",
-                                 "findCommand",      "selfTest",
-                                 "showAbout",        "keepState"}) {
+                                 "sensorChain",      "monteCarlo",
+                                 "frontier",         "menuLibrary",
+                                 "showShortcuts",    "findCommand",
+                                 "selfTest",         "showAbout",
+                                 "keepState"}) {
             trigger(name);
         }
         auto* tabs = window->findChild<QTabWidget*>("tabs");

@@ -36,8 +36,9 @@ TEST_F(WindowSizeTest, EveryPageAndDockFitsASmallScreen) {
         runAnalysis(word);
         fits(word);
     }
-    for (const char* tool : {"compareImages", "radiativeOutput", "temperatureProfile",
-                             "detectionRange", "monteCarlo", "frontier", "newAir", "projectAir"}) {
+    for (const char* tool :
+         {"compareImages", "radiativeOutput", "temperatureProfile", "detectionRange", "sensorChain",
+          "monteCarlo", "frontier", "newAir", "projectAir"}) {
         trigger(tool);
         fits(tool);
         test::keepScreenshot(*window, std::string("small-") + tool);
@@ -103,7 +104,7 @@ TEST_F(WindowSizeTest, ToolPagesNeedNoScrollingOnASmallScreen) {
     auto* centre = window->findChild<QScrollArea*>("centre");
     ASSERT_NE(centre, nullptr);
     for (const char* tool : {"compareImages", "radiativeOutput", "temperatureProfile",
-                             "detectionRange", "monteCarlo", "frontier"}) {
+                             "detectionRange", "sensorChain", "monteCarlo", "frontier"}) {
         trigger(tool);
         QTest::qWait(30);
         EXPECT_LE(centre->widget()->minimumSizeHint().width(), centre->viewport()->width()) << tool;

@@ -18,6 +18,9 @@
 #include "gui/plot/PolarPlot.h"
 #include "gui/tools/CostAccuracyPage.h"
 #include "gui/tools/DetectionPage.h"
+#include "gui/tools/PlanePane.h"
+#include "gui/tools/SensorPage.h"
+#include "gui/tools/StageCard.h"
 #include "irsg/image/ExrFile.h"
 #include "smatcore/analysis/CostAccuracyStudy.h"
 #include "tests/gui/ResultList.h"
@@ -311,6 +314,34 @@ TEST_F(AnalysesWalkTest, DetectionRange) {
     ASSERT_EQ(shown.curves.front().y.size(), 4u);
     EXPECT_NEAR(shown.curves.front().y.front(), 0.75, 1e-3);
     EXPECT_FALSE(get<QLabel>("summary", tool)->text().isEmpty());
+    walk.step("A point has a Threshold by a ratio or a rate of false alarms, a probability, and "
+              "Clutter of the background; a shape may have hot parts Left out. Sensitivity of the "
+              "range adds what it depends on most.");
+    EXPECT_TRUE(get<QWidget>("leftOut", tool)->isVisibleTo(tool));
+    choose(get<QComboBox>("criterion", tool), 0);
+    choose(get<QComboBox>("thresholdBy", tool), 1);
+    choose(get<QComboBox>("clutterBy", tool), 1);
+    get<QCheckBox>("sensitivity", tool)->setChecked(true);
+    EXPECT_TRUE(get<QLineEdit>("command", tool)->text().contains("--clutter 0.1 --sensitivity"));
+    EXPECT_TRUE(told.isEmpty()) << said();
+}
+
+TEST_F(AnalysesWalkTest, SensorChain) {
+    test::GuideWalk walk("analyses", "Sensor chain");
+    walk.step("Tools → Sensor chain… shows what each stage of a sensor does.");
+    act("sensorChain");
+    auto* tool = page<SensorPage>();
+    ASSERT_NE(tool, nullptr);
+    walk.step("Choose a sensor, and what it looks at: a test pattern, or an image among the "
+              "results.");
+    choose(get<QComboBox>("sensorFile", tool), 1);
+    EXPECT_EQ(get<QComboBox>("stageScene", tool)->count(), 1) << "no image yet";
+    ASSERT_TRUE(test::waitUntil([&] { return tool->pictures().has_value(); }, 60.0));
+    walk.step("A click on Optics, Detector, Motion, Electronics or Whole chain plots its transfer "
+              "functions, with the picture before and behind it.");
+    get<StageCard>("stageOptics", tool)->click();
+    EXPECT_EQ(tool->plot().cartesian()->data().curves.front().name, "diffraction");
+    EXPECT_FALSE(get<PlanePane>("behind", tool)->plane().isEmpty());
     EXPECT_TRUE(told.isEmpty()) << said();
 }
 

@@ -94,11 +94,26 @@ def test_ranges_are_those_of_the_command_line(sensor, file, samples, batch, tmp_
     assert shown.table["cycles"] == pytest.approx(14.5, abs=0.01)
 
 
+def test_probabilities_and_sensitivities_are_those_of_the_command_line(sensor, file, samples, batch, tmp_path):
+    project = samples / "sphere" / "sphere.smat"
+    plain = {"step": 180, "background_temperature_K": 290}
+    words = ("detection", project, "--sensor", file, "--step", 180, "--background-temperature", 290)
+    batch(*words, "--ranges", "200000,900000", "--out", tmp_path / "p.csv")
+    ours = smat.Project(project).detection(sensor, ranges_m=[2e5, 9e5], **plain)
+    assert np.array_equal(ours.table.to_numpy(), smat.Table.load(tmp_path / "p.csv").to_numpy())
+    assert ours.table["probability"][0] > ours.table["probability"][1]
+    batch(*words, "--sensitivity", "--clutter", "auto", "--farthest", 1e7, "--range", 20000, "--out", tmp_path / "s.csv")
+    ours = smat.Project(project).detection(sensor, sensitivity=True, clutter_K="auto", farthest_m=1e7, range=20000, **plain)
+    assert np.array_equal(ours.table.to_numpy(), smat.Table.load(tmp_path / "s.csv").to_numpy())
+    assert ours.table["sensitivity_threshold"] == pytest.approx(-0.5, abs=1e-3)
+
+
 @pytest.mark.parametrize(
     "wrong, named",
     [({"snr": 0}, "snr"), ({"criterion": "luck"}, "johnson"), ({"point": "side"}, "corner"), ({"false_alarms": 0.5}, "false alarm"),
      ({"task": "guess", "criterion": "johnson"}, "recognition"), ({"probability": 1.0, "criterion": "johnson"}, "probability"),
-     ({"nearest_m": 10, "farthest_m": 5}, "range"), ({"background_temperature_K": -1}, "background_temperature_K")],
+     ({"nearest_m": 10, "farthest_m": 5}, "range"), ({"background_temperature_K": -1}, "background_temperature_K"),
+     ({"clutter_K": "much"}, "auto"), ({"draws": 3}, "ranges_m"), ({"ranges_m": [0.0]}, "ranges_m")],
 )
 def test_wrong_questions_are_refused_by_name(sensor, samples, wrong, named):
     with pytest.raises(smat.InputError, match=named):

@@ -42,6 +42,13 @@ extern constinit const AnalysisDefinition detectionTool{
     .icon = "sensor",
     .form = AnalysisForm::table};
 
+extern constinit const AnalysisDefinition sensorTool{
+    .name = "sensor",
+    .title = "Sensor chain",
+    .help = "The stages of a sensor: transfer functions, noise, and a picture behind each",
+    .icon = "sensor",
+    .form = AnalysisForm::table};
+
 extern constinit const AnalysisDefinition frontierTool{
     .name = "cost-accuracy",
     .title = "Time against error",

@@ -1,0 +1,48 @@
+#include "gui/tools/PlanePane.h"
+
+#include <memory>
+
+#include <QPainter>
+
+#include "irsg/image/ColorMap.h"
+
+namespace smat::gui {
+
+PlanePane::PlanePane(const QString& name, QWidget* parent) : QWidget(parent) {
+    setObjectName(name);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+}
+
+void PlanePane::setPlane(const QString& title, std::vector<float> values, int width, int height,
+                         const irsg::DisplayLimits& limits) {
+    title_ = title;
+    plane_.setValues(width, height, std::make_shared<const std::vector<float>>(std::move(values)));
+    plane_.setColors(irsg::ColorMap::named(irsg::ColorMap::defaultName), limits);
+    plane_.color();
+    update();
+}
+
+void PlanePane::clear(const QString& title) {
+    title_ = title;
+    plane_ = ColoredPlane();
+    update();
+}
+
+void PlanePane::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.setPen(palette().color(QPalette::Text));
+    const int line = fontMetrics().height();
+    painter.drawText(QRect(0, 0, width(), line), Qt::AlignLeft | Qt::AlignVCenter,
+                     fontMetrics().elidedText(title_, Qt::ElideRight, width()));
+    if (plane_.isEmpty())
+        return;
+    const QRectF room(0.0, line + 4.0, width(), height() - line - 4.0);
+    const QSizeF size =
+        QSizeF(plane_.width(), plane_.height()).scaled(room.size(), Qt::KeepAspectRatio);
+    const QRectF target(room.topLeft(), size);
+    plane_.draw(painter, target, target, devicePixelRatioF());
+}
+
+} // namespace smat::gui
+
+#include "moc_PlanePane.cpp"

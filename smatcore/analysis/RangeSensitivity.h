@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "smatcore/analysis/TargetAspect.h"
+
+namespace smat {
+
+/// A number that a range depends on.
+struct SensitivityName {
+    std::string key;   ///< "aperture": the column is `sensitivity_aperture`
+    std::string title; ///< "aperture of the optics"
+};
+
+/// What a range is looked at for: the numbers of the sensor that are not 0, its threshold, clutter,
+/// then `extinction` of the atmosphere, `temperature` and `emissivity` of the target.
+std::vector<SensitivityName> sensitivityNames(const DetectionRequest& request);
+
+/// The relative change of a range per relative change of each number, d ln R / d ln p, in their
+/// order: the change of ratio or cycles with the number at that range through their change with the
+/// range. Of numbers of the sensor by a central difference of 1 % with the target's contrast as it
+/// is; of the extinction by that of the path's length, which is the same along a path in one air;
+/// of temperatures in K and emissivities of the first entity by drawings with scales of 0.998 and
+/// 1.002 (the emission of a material, whose reflection stays). NaN where no range was found.
+/// Throws InputError.
+class RangeSensitivity {
+  public:
+    RangeSensitivity(const DetectionScene& shared, const DetectionRequest& request);
+
+    /// `look` is that of `aspect`, of the case `one`, at the range that was found.
+    std::vector<double> at(const irsg::DetectionRange& found, const TargetLook& look,
+                           TargetAspect& aspect, const AnalysisCase& one, AnalysisData& data,
+                           CaseWarnings& warnings) const;
+
+  private:
+    /// A request with one number changed, and what its sensor sees.
+    struct Variant {
+        explicit Variant(DetectionRequest changed) : request(std::move(changed)), sight(request) {}
+        DetectionRequest request;
+        TargetSight sight;
+    };
+    template <typename Value>
+    struct BothSides {
+        Value less, more;
+    };
+
+    const DetectionScene& shared_;
+    const DetectionRequest& request_;
+    std::vector<BothSides<std::unique_ptr<Variant>>> variants_; ///< by number of the sensor
+    std::unique_ptr<TargetSight> sight_;                        ///< of the request as it is
+    BothSides<SceneDescription> temperature_, emissivity_;
+};
+
+} // namespace smat

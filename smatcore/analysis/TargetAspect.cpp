@@ -1,0 +1,182 @@
+#include "smatcore/analysis/TargetAspect.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "irsg/atmosphere/EnvironmentVariants.h"
+#include "irsg/atmosphere/NearestRun.h"
+#include "irsg/core/AppendUnique.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/Wording.h"
+#include "smatcore/analysis/AnalysisDefinition.h"
+#include "smatcore/analysis/BackgroundClutter.h"
+#include "smatcore/analysis/CommandSettings.h"
+#include "smatcore/analysis/PartColumns.h"
+#include "smatcore/settings/SettingKeys.h"
+
+namespace smat {
+
+namespace {
+
+/// By entity; none where nothing is left out. Throws InputError for names that no entry has.
+std::vector<LeftOut> leftOutOf(const SceneDescription& scene,
+                               const std::vector<std::string>& names) {
+    if (names.empty())
+        return {};
+    std::vector<LeftOut> out(scene.entities.size());
+    std::vector<std::string> known;
+    std::set<std::string> met;
+    const auto take = [&](const irsg::Entity& entity, PartsBy by, std::set<int>& indices) {
+        for (const ObjectPart& part : partsOf(entity, by)) {
+            irsg::appendUnique(known, {part.label});
+            if (std::ranges::find(names, part.label) == names.end())
+                continue;
+            indices.insert(part.index);
+            met.insert(part.label);
+        }
+    };
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        take(scene.entities[i], PartsBy::temperature, out[i].temperatures);
+        take(scene.entities[i], PartsBy::material, out[i].materials);
+    }
+    std::vector<irsg::Diagnostic> diagnostics;
+    for (const std::string& name : names)
+        if (!met.contains(name))
+            diagnostics.push_back(
+                {"", "surfaces that are left out", name, irsg::alternatives(known)});
+    if (!diagnostics.empty())
+        throw irsg::InputError(diagnostics);
+    return out;
+}
+
+/// The settings of a detection: those of a polar plot.
+AnalysisPlan planOf(AnalysisData& data) {
+    // What a polar plot says of where its cases are holds here, too.
+    data.kind = AnalysisKind::polar;
+    return planAnalysis(data.kind, data.project, withFixedSteps(data.kind, data.settings));
+}
+
+SceneDescription sceneOf(AnalysisData& data, const DetectionRequest& request,
+                         const SceneFactory& scenes) {
+    SceneDescription scene = scenes(data.project, withFixedSteps(data.kind, data.settings));
+    scene.environment = irsg::onTheFly(scene.environment);
+    // Contrast is of the whole target, whatever the sensor's frame is at its range.
+    scene.sensor.band = request.sensor.band();
+    scene.moreBands.clear();
+    // Far away a target is smaller than a pixel, which other modes miss.
+    if (!scene.settings.usesAlignedTiles()) {
+        scene.settings.tileStrategy = irsg::TileStrategy::aligned;
+        scene.settings.tileSide_samples = irsg::RenderSettings().tileSide_samples;
+        data.warnings.push_back(
+            fmt::format("the antialiasing of the settings misses targets below a pixel: ranges are "
+                        "sought with tiles of {} samples",
+                        scene.settings.tileSide_samples));
+    }
+    return scene;
+}
+
+} // namespace
+
+DetectionScene::DetectionScene(AnalysisData& data, const DetectionRequest& request,
+                               const RenderDoor& theDoor, const SceneFactory& scenes)
+    : door(theDoor),
+      plan(planOf(data)),
+      scene(sceneOf(data, request, scenes)),
+      placer(door, scene),
+      leftOut(leftOutOf(scene, request.leftOut)) {
+    for (const irsg::Entity& entity : scene.entities)
+        data.databases.push_back(entity.database);
+    data.renderer = door.description(scene);
+    irsg::appendUnique(data.warnings, scene.remarks);
+}
+
+TargetAspect::TargetAspect(const DetectionScene& shared, const SceneDescription& scene,
+                           TargetSight& sight, AnalysisCase one, AnalysisData& data,
+                           CaseWarnings& warnings)
+    : shared_(shared),
+      scene_(scene),
+      sight_(sight),
+      case_(std::move(one)),
+      data_(data),
+      warnings_(warnings) {}
+
+double TargetAspect::measureClutter(const irsg::SensorDescription& sensor) {
+    const MeasuredClutter measured =
+        backgroundClutter(shared_.placer.place(scene_, case_), shared_.door, sensor);
+    clutter_W_m2_sr_ = measured.deviation_W_m2_sr;
+    known_.clear();
+    return sight_.temperatureDifference_K(measured.deviation_W_m2_sr, measured.background_W_m2_sr);
+}
+
+TargetLook TargetAspect::at(double range_m, bool withErrors) {
+    const auto key = std::pair(range_m, withErrors);
+    if (const auto known = known_.find(key); known != known_.end())
+        return known->second;
+    case_.range_m = range_m;
+    const PlacedCase placed = shared_.placer.place(scene_, case_);
+    const irsg::Outputs outputs = irsg::Outputs::reports()
+                                      .alongRange()
+                                      .withErrors(withErrors)
+                                      .bySurface(!shared_.leftOut.empty());
+    const irsg::RenderReport report = placed.render(shared_.door, outputs).reports.front();
+    irsg::addProvider(data_.providedBy, report.providedBy);
+    warnings_.addReport(report, data_.settings[key::renderLayers]);
+    TargetLook look;
+    look.contrast_W_m2 = report.all.irradiance_W_m2;
+    look.contrast_W_sr = report.all.contrastIntensity_W_sr;
+    look.solidAngle_sr = report.all.solidAngle_sr;
+    for (const irsg::ObjectRadiometry& object : report.objects)
+        if (report.all.solidAngle_sr == 0.0)
+            look.solidAngle_sr += object.solidAngle_sr;
+    look.counted_W_m2 = look.contrast_W_m2;
+    for (std::size_t i = 0; i < shared_.leftOut.size(); ++i)
+        for (const irsg::SurfaceRadiometry& surface : report.objects.at(i).surfaces)
+            if (shared_.leftOut[i].has(surface)) {
+                look.counted_W_m2 -= surface.irradiance_W_m2;
+                look.solidAngle_sr -= surface.solidAngle_sr;
+            }
+    if (report.all.errors)
+        look.error_W_m2 = report.all.errors->irradiance_W_m2.sum();
+    look.background_W_m2_sr = report.background_W_m2_sr;
+    look.clutter_W_m2_sr = clutter_W_m2_sr_;
+    sight_.see(look);
+    return known_[key] = look;
+}
+
+TargetLook TargetAspect::between(const irsg::DetectionRange& found) {
+    std::vector<TargetLook> looks;
+    for (const auto& node : found.around)
+        looks.push_back(at(node.range_m, false));
+    // By logarithms, which bend little, where there are some.
+    const auto mean = [&](double TargetLook::*member) {
+        double sum = 0.0, logarithms = 0.0;
+        bool isOfOneSign = true;
+        for (std::size_t i = 0; i < looks.size(); ++i) {
+            const double value = looks[i].*member, weight = found.around[i].weight;
+            sum += weight * value;
+            isOfOneSign = isOfOneSign && value * looks.front().*member > 0.0;
+            if (isOfOneSign)
+                logarithms += weight * std::log(std::abs(value));
+        }
+        return isOfOneSign ? std::copysign(std::exp(logarithms), looks.front().*member) : sum;
+    };
+    TargetLook look;
+    for (double TargetLook::*const member :
+         {&TargetLook::contrast_W_m2, &TargetLook::contrast_W_sr, &TargetLook::counted_W_m2,
+          &TargetLook::solidAngle_sr, &TargetLook::nei_W_m2, &TargetLook::difference_K,
+          &TargetLook::cycles, &TargetLook::background_W_m2_sr})
+        look.*member = mean(member);
+    look.clutter_W_m2_sr = clutter_W_m2_sr_;
+    look.isFull = std::ranges::any_of(looks, &TargetLook::isFull);
+    const auto nearest =
+        std::ranges::max_element(found.around, {}, &irsg::DetectionRange::Node::weight);
+    const TargetLook known = at(nearest->range_m, true);
+    if (known.contrast_W_m2 != 0.0)
+        look.error_W_m2 = known.error_W_m2 * std::abs(look.contrast_W_m2 / known.contrast_W_m2);
+    return look;
+}
+
+} // namespace smat

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "irsg/sensor/DetectionRange.h"
+#include "smatcore/analysis/AnalysisPlan.h"
+#include "smatcore/analysis/CaseWarnings.h"
+#include "smatcore/analysis/Detection.h"
+#include "smatcore/analysis/PlacedCase.h"
+#include "smatcore/analysis/TargetSight.h"
+
+namespace smat {
+
+/// The surfaces of an object that do not count.
+struct LeftOut {
+    std::set<int> temperatures, materials;
+
+    bool has(const irsg::SurfaceRadiometry& surface) const {
+        return temperatures.contains(surface.temperature) || materials.contains(surface.material);
+    }
+};
+
+/// What all aspects of a detection share: the cases of a polar plot before the sensor.
+struct DetectionScene {
+    /// Makes it of the settings of `data` and tells it what there is to warn of. Throws InputError.
+    DetectionScene(AnalysisData& data, const DetectionRequest& request, const RenderDoor& door,
+                   const SceneFactory& scenes);
+
+    const RenderDoor& door;
+    AnalysisPlan plan;
+    SceneDescription scene;
+    CasePlacer placer;
+    std::vector<LeftOut> leftOut; ///< by entity; none where nothing is left out
+};
+
+/// One aspect at any range. All that it is given must outlive it.
+class TargetAspect {
+  public:
+    /// `scene` is that of `shared`, perhaps with other scales.
+    TargetAspect(const DetectionScene& shared, const SceneDescription& scene, TargetSight& sight,
+                 AnalysisCase one, AnalysisData& data, CaseWarnings& warnings);
+
+    /// Takes the clutter of the background's own pixels about the target, at the range of the case,
+    /// as noise from now on (backgroundClutter). Returns it as an apparent temperature difference,
+    /// K. Throws InputError.
+    double measureClutter(const irsg::SensorDescription& sensor);
+
+    /// Throws InputError for a range that the scene refuses.
+    TargetLook at(double range_m, bool withErrors);
+    /// At the range that was found, interpolated on the grid; the relative error is that of the
+    /// nearest range there.
+    TargetLook between(const irsg::DetectionRange& found);
+
+  private:
+    const DetectionScene& shared_;
+    const SceneDescription& scene_;
+    TargetSight& sight_;
+    AnalysisCase case_;
+    AnalysisData& data_;
+    CaseWarnings& warnings_;
+    double clutter_W_m2_sr_ = 0.0;
+    std::map<std::pair<double, bool>, TargetLook> known_;
+};
+
+} // namespace smat
