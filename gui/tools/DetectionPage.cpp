@@ -47,6 +47,7 @@ QFormLayout* formOf(QGroupBox* box) {
     auto* form = new QFormLayout(box);
     form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     form->setRowWrapPolicy(QFormLayout::WrapLongRows);
+    form->setVerticalSpacing(3);
     return form;
 }
 
@@ -342,8 +343,19 @@ void DetectionPage::showResult(const JobResult& result) {
         1000,
         tr("%1 aspects in %2 s").arg(result_->table.rowCount()).arg(result_->elapsed_s, 0, 'f', 2));
     QStringList lines;
-    for (const SummaryItem& item : result_->summary)
-        lines << summaryLine(item);
+    const QString sensitivity = tr("Sensitivity of the range to: ");
+    QStringList sensitivities;
+    for (const SummaryItem& item : result_->summary) {
+        const QString line = summaryLine(item);
+        if (line.startsWith(sensitivity))
+            sensitivities << line.mid(sensitivity.size());
+        else
+            lines << line;
+    }
+    // The largest come first; the others are quantities of the plot as well.
+    constexpr qsizetype shown = 6;
+    if (!sensitivities.isEmpty())
+        lines << sensitivity + sensitivities.mid(0, shown).join(", ");
     for (const std::string& warning : result_->warnings)
         lines << tr("note: %1").arg(QString::fromStdString(warning));
     summary_->setText(lines.join('\n'));

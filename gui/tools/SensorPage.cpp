@@ -9,6 +9,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QSplitter>
 #include <QVBoxLayout>
 
 #include "gui/analysis/ResultStore.h"
@@ -39,7 +40,7 @@ constexpr std::array cardTitles = {QT_TRANSLATE_NOOP("smat::gui::SensorPage", "O
                                    QT_TRANSLATE_NOOP("smat::gui::SensorPage", "Detector"),
                                    QT_TRANSLATE_NOOP("smat::gui::SensorPage", "Motion"),
                                    QT_TRANSLATE_NOOP("smat::gui::SensorPage", "Electronics"),
-                                   QT_TRANSLATE_NOOP("smat::gui::SensorPage", "Whole chain")};
+                                   QT_TRANSLATE_NOOP("smat::gui::SensorPage", "Chain")};
 
 double nyquist_per_rad(const irsg::SensorDescription& sensor) {
     return 0.5 / sensor.pixelAngle_rad();
@@ -171,17 +172,23 @@ QWidget* SensorPage::makeRight() {
     numbers_->setWordWrap(true);
     numbers_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     plot_ = new PlotPanel(PlotKind::cartesian, dialogs_, right);
-    plot_->setMinimumSize(260, 220);
     before_ = new PlanePane("before", right);
     behind_ = new PlanePane("behind", right);
-    auto* pictures = new QHBoxLayout;
+    auto* panes = new QWidget(right);
+    auto* pictures = new QHBoxLayout(panes);
+    pictures->setContentsMargins(0, 4, 0, 0);
     pictures->setSpacing(10);
     pictures->addWidget(before_, 1);
     pictures->addWidget(behind_, 1);
+    auto* both = new QSplitter(Qt::Vertical, right);
+    both->setChildrenCollapsible(false);
+    plot_->setMinimumSize(260, 220);
+    both->addWidget(plot_);
+    both->addWidget(panes);
+    both->setSizes({300, 260});
     column->addLayout(cards);
     column->addWidget(numbers_);
-    column->addWidget(plot_, 4);
-    column->addLayout(pictures, 3);
+    column->addWidget(both, 1);
     return right;
 }
 
@@ -222,8 +229,8 @@ void SensorPage::takeSensor() {
             if (i == electronics) {
                 const auto numbers =
                     irsg::sensorNumbers(*sensor, background_K, irsg::ConeConvention::exact, 1.0);
-                cards_[i]->setCurve({}, tr("NETD %1 mK").arg(rounded(1e3 * numbers.totalNetd_K)));
-                cards_[i]->setToolTip(tr("Of all noise, pattern included, before 300 K"));
+                cards_[i]->setCurve({}, tr("%1 mK").arg(rounded(1e3 * numbers.totalNetd_K)));
+                cards_[i]->setToolTip(tr("NETD of all noise, pattern included, before 300 K"));
                 continue;
             }
             const std::vector<double> curve = i == wholeChain
@@ -297,7 +304,7 @@ void SensorPage::drawTransfer() {
                     add(wordsOf(column.key), column.values);
             add(tr(cardTitles[chosen_]), productOf(table_, irsg::sensorStages[chosen_]));
         }
-        add(tr("Whole chain"), table_.find("system")->values);
+        add(tr("Chain"), table_.find("system")->values);
         data.marks = {{1e-3 * nyquist_per_rad(*chooser_->sensor()), tr("Nyquist")}};
     }
     plot_->cartesian()->setData(std::move(data));

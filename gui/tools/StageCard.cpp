@@ -29,7 +29,7 @@ QSize StageCard::sizeHint() const {
 }
 
 QSize StageCard::minimumSizeHint() const {
-    return {62, sizeHint().height()};
+    return {68, sizeHint().height()};
 }
 
 void StageCard::paintEvent(QPaintEvent*) {
@@ -46,14 +46,10 @@ void StageCard::paintEvent(QPaintEvent*) {
         painter.drawRoundedRect(frame.adjusted(3.0, 3.0, -3.0, -3.0), 4.0, 4.0);
     }
     const int line = fontMetrics().height();
-    const QRect inside = rect().adjusted(8, 6, -8, -6);
-    QFont bold = font();
-    bold.setBold(true);
+    const QRect inside = rect().adjusted(5, 5, -4, -5);
     painter.setPen(palette().color(QPalette::Text));
-    painter.setFont(bold);
     painter.drawText(inside, Qt::AlignLeft | Qt::AlignTop,
-                     painter.fontMetrics().elidedText(text(), Qt::ElideRight, inside.width()));
-    painter.setFont(font());
+                     fontMetrics().elidedText(text(), Qt::ElideRight, inside.width()));
     painter.drawText(inside, Qt::AlignLeft | Qt::AlignBottom,
                      fontMetrics().elidedText(number_, Qt::ElideRight, inside.width()));
     if (curve_.size() < 2)

@@ -148,7 +148,10 @@ TEST_F(DetectionPageTest, APointHasFalseAlarmsProbabilityClutterAndSensitivity) 
         "--probability 90 --clutter 0.25 --sensitivity"))
         << find<QLineEdit>("command")->text().toStdString();
     run();
-    EXPECT_TRUE(find<QLabel>("summary")->text().contains("Sensitivity of the range to: threshold"));
+    EXPECT_TRUE(find<QLabel>("summary")->text().contains(
+        "Sensitivity of the range to: temperatures of the target"))
+        << find<QLabel>("summary")->text().toStdString();
+    EXPECT_TRUE(find<QLabel>("summary")->text().contains(", clutter: -0."));
     auto* quantity = find<QComboBox>("quantity");
     EXPECT_GE(quantity->findData("sensitivity_aperture"), 0);
     window->resize(1280, 900);

@@ -53,7 +53,7 @@ TEST_F(SensorPageTest, CardsHaveTheTransferOfTheirStageWhoseProductIsThatOfTheCh
     EXPECT_NEAR(at("stageChain"), transfer.at(nyquist, 0.0), 1e-12);
     EXPECT_GT(at("stageChain"), 0.01);
     EXPECT_TRUE(find<StageCard>("stageElectronics")->curve().empty());
-    EXPECT_TRUE(find<StageCard>("stageElectronics")->number().contains("NETD"));
+    EXPECT_TRUE(find<StageCard>("stageElectronics")->number().endsWith(" mK"));
     EXPECT_EQ(page->plot().cartesian()->data().curves.size(), 4u);
     find<StageCard>("stageOptics")->click();
     EXPECT_EQ(page->plot().cartesian()->data().curves.front().name, "diffraction");

@@ -337,7 +337,7 @@ TEST_F(AnalysesWalkTest, SensorChain) {
     choose(get<QComboBox>("sensorFile", tool), 1);
     EXPECT_EQ(get<QComboBox>("stageScene", tool)->count(), 1) << "no image yet";
     ASSERT_TRUE(test::waitUntil([&] { return tool->pictures().has_value(); }, 60.0));
-    walk.step("A click on Optics, Detector, Motion, Electronics or Whole chain plots its transfer "
+    walk.step("A click on Optics, Detector, Motion, Electronics or Chain plots its transfer "
               "functions, with the picture before and behind it.");
     get<StageCard>("stageOptics", tool)->click();
     EXPECT_EQ(tool->plot().cartesian()->data().curves.front().name, "diffraction");
