@@ -582,14 +582,18 @@ TEST(SmatBatchSensor, InAirOfBeersLawTheRangeIsLambertsFunction) {
     // exp(-k r): a constant extinction, no path radiance that the sphere would not have.
     write(folder / "air.csv",
           "# air_temperature [K]: 20\nwavelength [um],extinction [km-1]\n3,0.2\n5,0.2\n");
-    const Ran ran =
-        smatBatch(with({"detection", sample("sphere/sphere.smat"), "--sensor", sensorFile(folder),
-                        "--atmosphere", folder / "air.csv", "--step", "180",
-                        "--background-temperature", "300", "--out", folder / "r.csv"},
-                       plain));
+    const Ran ran = smatBatch(
+        with({"detection", sample("sphere/sphere.smat"), "--sensor", sensorFile(folder),
+              "--atmosphere", folder / "air.csv", "--step", "180", "--background-temperature",
+              "300", "--sensitivity", "--out", folder / "r.csv"},
+             plain));
     ASSERT_EQ(ran.exitCode, 0) << ran.err;
     const ResultTable table = ResultTable::load(folder / "r.csv");
     const double range_m = valueOf(table, "detection_range", 0);
+    // d ln R / d ln k of exp(-k R) / R^2 = c, and of the threshold.
+    EXPECT_NEAR(valueOf(table, "sensitivity_extinction", 0),
+                -2e-4 * range_m / (2.0 + 2e-4 * range_m), 2e-3);
+    EXPECT_NEAR(valueOf(table, "sensitivity_threshold", 0), -1.0 / (2.0 + 2e-4 * range_m), 2e-3);
     const double nei = valueOf(table, "nei", 0);
     // The intensity without air.
     const double source =
