@@ -34,7 +34,7 @@ struct ExchangeResolution {
     /// Lengths are down to a quarter of these where so many are enough; so few senders send alone.
     std::size_t fewCells = 16'000, fewNodes = 4'000, fewSenders = 1'000;
     /// The same of models whose nodes would be coarser, see ExchangeNodes::coarseness.
-    double mostCoarseness = 2.0;
+    double mostCoarseness = 3.0;
     std::size_t mostNodesOfDetail = 48'000, mostSendersOfDetail = 12'000;
     /// Whether spaces inside are told apart, which nobody looks at from within.
     bool hasInsides = false;
