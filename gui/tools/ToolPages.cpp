@@ -41,7 +41,7 @@ constexpr std::array pages = {
               true, made<TemperatureProfilePage>},
     MenuEntry{"detection", "detectionRange", QT_TR_NOOP("&Detection range…"), false,
               made<DetectionPage>},
-    MenuEntry{"sensor", "sensorChain", QT_TR_NOOP("Sens&or chain…"), false, made<SensorPage>},
+    MenuEntry{"sensor", "sensorChain", QT_TR_NOOP("&Sensor chain…"), false, made<SensorPage>},
     MenuEntry{"montecarlo", "monteCarlo", QT_TR_NOOP("&Monte Carlo"), false, made<MonteCarloPage>},
     MenuEntry{"cost-accuracy", "frontier", QT_TR_NOOP("Time against &error"), false,
               made<CostAccuracyPage>}};

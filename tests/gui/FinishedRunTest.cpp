@@ -65,7 +65,8 @@ TEST_F(FinishedRunTest, OfWhichAPartIsThereSaysSo) {
     };
     runs(cancelOnTheWay, "1");
     ASSERT_FALSE(said.isEmpty());
-    EXPECT_TRUE(said.back().contains("is partial: a dot marks its tab")) << said.back().toStdString();
+    EXPECT_TRUE(said.back().contains("is partial: a dot marks its tab"))
+        << said.back().toStdString();
 }
 
 } // namespace

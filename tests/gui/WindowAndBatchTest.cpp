@@ -279,7 +279,7 @@ TEST_F(WindowAndBatchTest, ClosesWhileAnAnalysisAndALeftDrawingRun) {
         const auto* times = shown->findChild<QLabel*>("jobTimes");
         EXPECT_TRUE(times->isVisible() && times->text().contains(" elapsed"))
             << times->text().toStdString();
-        answer = 1; // quit
+        answer = 0; // quit
         EXPECT_TRUE(shown->close());
         shown.reset();
         EXPECT_EQ(gate.begun, 2);
@@ -299,7 +299,7 @@ TEST_F(WindowAndBatchTest, ClosesWhileTheRealRendererDraws) {
         AnalysisData::of(workbench.project(), AnalysisKind::image, workbench.settings()));
     QTest::qWait(30);
     EXPECT_TRUE(workbench.isRunning());
-    answer = 1; // quit
+    answer = 0; // quit
     EXPECT_TRUE(window->close());
     window.reset();
 }

@@ -194,7 +194,7 @@ TEST_F(ImagesWalkTest, OpenReadAndColour) {
     ASSERT_GE(canvas.outlines().size(), 2U) << "the aircraft and a hot part of it";
     const QPointF inside = canvas.outlines().front().center();
     EXPECT_TRUE(view.readoutAt(static_cast<int>(inside.x()), static_cast<int>(inside.y()))
-                    .contains("samples a pixel"));
+                    .contains("samples per pixel"));
     press(Qt::Key_W);
 
     walk.step("learn what a pixel is made of | Explain (X), then a click, or Return on the pixel "

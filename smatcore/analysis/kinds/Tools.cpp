@@ -46,7 +46,7 @@ extern constinit const AnalysisDefinition sensorTool{
     .name = "sensor",
     .title = "Sensor chain",
     .help = "The stages of a sensor: transfer functions, noise, and a picture behind each",
-    .icon = "sensor",
+    .icon = "sensor-chain",
     .form = AnalysisForm::table};
 
 extern constinit const AnalysisDefinition frontierTool{
