@@ -15,7 +15,6 @@
 #include "irsg/core/Errors.h"
 #include "irsg/core/Quantity.h"
 #include "irsg/core/Wording.h"
-#include "irsg/sensor/NormalQuantile.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/CaseWarnings.h"
 #include "smatcore/analysis/CommandSettings.h"
@@ -110,42 +109,6 @@ void summariseSensitivities(AnalysisData& data, const DetectionRequest& request)
 }
 
 } // namespace
-
-AnalysisKind detectionKind() {
-    return resultKindFromName("detection");
-}
-
-const std::vector<std::string>& pointPlaceWords() {
-    static const std::vector<std::string> words = {"centre", "mean", "corner"};
-    return words;
-}
-
-const std::vector<std::string>& criterionWords() {
-    static const std::vector<std::string> words = {"point", "johnson", "ttp"};
-    return words;
-}
-
-const std::vector<irsg::JohnsonTask>& tasksOf(RangeCriterion criterion) {
-    return criterion == RangeCriterion::targeting ? irsg::targetingTasks() : irsg::johnsonTasks();
-}
-
-const irsg::TaskLaw& lawOf(RangeCriterion criterion) {
-    return criterion == RangeCriterion::targeting ? irsg::targetingLaw : irsg::johnsonLaw;
-}
-
-double thresholdOfFalseAlarms(double probability) {
-    if (!(probability > 0.0 && probability < 0.5))
-        throw irsg::InputError({"", "probability of a false alarm", irsg::numberText(probability),
-                                "a number between 0 and 0.5, both exclusive"});
-    return -irsg::normalQuantile(probability);
-}
-
-std::vector<std::string> rangeTaskWords() {
-    std::vector<std::string> words;
-    for (const irsg::JohnsonTask& task : irsg::johnsonTasks())
-        words.emplace_back(task.name);
-    return words;
-}
 
 std::string detectionCommand(const Project& project, const Settings& settings,
                              const DetectionRequest& request, const std::string& outputFile) {

@@ -1,6 +1,8 @@
 #pragma once
 
-#include "smatcore/analysis/Detection.h"
+#include "smatcore/analysis/AnalysisData.h"
+#include "smatcore/analysis/AnalysisGenerator.h"
+#include "smatcore/analysis/DetectionRequest.h"
 
 namespace smat {
 

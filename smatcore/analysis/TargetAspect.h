@@ -7,9 +7,11 @@
 #include <vector>
 
 #include "irsg/sensor/DetectionRange.h"
+#include "smatcore/analysis/AnalysisData.h"
+#include "smatcore/analysis/AnalysisGenerator.h"
 #include "smatcore/analysis/AnalysisPlan.h"
 #include "smatcore/analysis/CaseWarnings.h"
-#include "smatcore/analysis/Detection.h"
+#include "smatcore/analysis/DetectionRequest.h"
 #include "smatcore/analysis/PlacedCase.h"
 #include "smatcore/analysis/TargetSight.h"
 

@@ -8,7 +8,7 @@
 #include "irsg/sensor/ResolvableTemperature.h"
 #include "irsg/sensor/SensorNumbers.h"
 #include "irsg/sensor/TargetingTask.h"
-#include "smatcore/analysis/Detection.h"
+#include "smatcore/analysis/DetectionRequest.h"
 
 namespace smat {
 
