@@ -23,6 +23,7 @@
 #include "gui/workbench/Workbench.h"
 #include "irsg/core/Errors.h"
 #include "irsg/core/Wording.h"
+#include "irsg/image/ImageStatistics.h"
 #include "irsg/sensor/SensorNumbers.h"
 #include "smatcore/support/ShellText.h"
 #include "smatcore/tools/SensorOutput.h"
@@ -323,15 +324,8 @@ void SensorPage::showPictures() {
         return;
     }
     // All but the darkest and the brightest parts in 200: a point and bad pixels outshine the rest.
-    const auto limitsOf = [](std::vector<float> values) {
-        const auto valueAt = [&](double part) {
-            const auto at = values.begin() + static_cast<std::ptrdiff_t>(
-                                                 part * static_cast<double>(values.size() - 1));
-            std::ranges::nth_element(values, at);
-            return *at;
-        };
-        const float low = valueAt(0.005), high = valueAt(0.995);
-        return irsg::DisplayLimits{.low = low, .high = high > low ? high : low + 1.0F};
+    const auto limitsOf = [](const std::vector<float>& values) {
+        return irsg::percentileLimits(values, 0.5, 99.5);
     };
     const auto captioned = [](const QString& title, const irsg::DisplayLimits& limits,
                               const QString& unit) {

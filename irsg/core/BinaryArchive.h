@@ -1,92 +1,72 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <cstring>
 #include <string>
 #include <string_view>
 #include <type_traits>
 #include <vector>
 
+#include "irsg/core/Bytes.h"
+
 namespace irsg {
 
-/// Values and lists as this machine has them, one behind the other: for what the same program reads
-/// on the same machine.
+/// Writes values and lists by the same description, archive(value) for each of them, that a
+/// BinaryReader reads them by.
 class BinaryWriter {
   public:
     template <typename T>
     void operator()(const T& value)
         requires std::is_trivially_copyable_v<T>
     {
-        bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
+        sink_.put(value);
     }
     template <typename T>
     void operator()(const std::vector<T>& values)
         requires std::is_trivially_copyable_v<T>
     {
-        (*this)(static_cast<std::uint64_t>(values.size()));
-        bytes_.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+        sink_.putCount(values.size());
+        sink_.putBytes(values.data(), values.size() * sizeof(T));
     }
     void operator()(const std::vector<bool>& values) {
         (*this)(std::vector<char>(values.begin(), values.end()));
     }
-    const std::string& bytes() const { return bytes_; }
+    std::string take() { return sink_.take(); }
 
   private:
-    std::string bytes_;
+    ByteSink sink_;
 };
 
-/// Reads what a BinaryWriter wrote, in the same order. What ends too early leaves the value as it
-/// was, and that which follows; isWhole tells.
+/// Throws DamagedBytes where a value is not there.
 class BinaryReader {
   public:
     /// `bytes` must live as long.
-    explicit BinaryReader(std::string_view bytes) : bytes_(bytes) {}
+    explicit BinaryReader(std::string_view bytes) : source_(bytes) {}
 
     template <typename T>
     void operator()(T& value)
         requires std::is_trivially_copyable_v<T>
     {
-        if (take(sizeof value))
-            std::memcpy(&value, taken_, sizeof value);
+        value = source_.get<T>();
     }
     template <typename T>
     void operator()(std::vector<T>& values)
         requires std::is_trivially_copyable_v<T>
     {
-        std::uint64_t count = 0;
-        (*this)(count);
-        if (count > bytes_.size() / sizeof(T)) {
-            isWhole_ = false;
-            return;
-        }
-        take(count * sizeof(T));
-        values.resize(count);
-        if (count > 0)
-            std::memcpy(values.data(), taken_, count * sizeof(T));
+        values.resize(source_.getCount(sizeof(T)));
+        const std::string_view bytes = source_.getBytes(values.size() * sizeof(T));
+        if (!bytes.empty())
+            std::memcpy(values.data(), bytes.data(), bytes.size());
     }
     void operator()(std::vector<bool>& values) {
         std::vector<char> read;
         (*this)(read);
         values.assign(read.begin(), read.end());
     }
-    /// Whether something was not there, or nothing is left.
-    bool hasEnded() const { return !isWhole_ || bytes_.empty(); }
-    /// Whether everything was there so far, and nothing is left.
-    bool isWhole() const { return isWhole_ && bytes_.empty(); }
+    bool atEnd() const { return source_.atEnd(); }
 
   private:
-    bool take(std::size_t size) {
-        if (!isWhole_ || size > bytes_.size())
-            return isWhole_ = false;
-        taken_ = bytes_.data();
-        bytes_.remove_prefix(size);
-        return true;
-    }
-
-    std::string_view bytes_;
-    const char* taken_ = nullptr;
-    bool isWhole_ = true;
+    ByteSource source_;
 };
 
 } // namespace irsg

@@ -130,7 +130,10 @@ void CacheStore::keep(const std::string& key, std::string_view content) const {
     std::error_code failed;
     fs::create_directories(folder_, failed);
     try {
-        writeFileDurably(fileOf(key), headOf(key, content).append(content));
+        FileReplacement file(fileOf(key));
+        file.write(headOf(key, content));
+        file.write(content);
+        file.commit();
     } catch (const InputError&) {
         return;
     }

@@ -156,12 +156,9 @@ std::shared_ptr<ViewSampling> FrameSampler::begin(const Frame& frame) {
     if (!sampling)
         return view_;
     // It outlives what is begun here: it waits for that when it goes.
-    sampling->tiles_ = surfaces_.begin(
-        frame.surfaces, frame.request.camera, tilesOf(frame, frame.plan.drawn),
-        frame.rows().needsDistances(),
-        [own = sampling.get()](const SampleTile& tile, const GeometrySamples& samples) {
-            own->sums_.addToView(tile, samples, own->factors_);
-        });
+    sampling->tiles_ =
+        surfaces_.begin(frame.surfaces, frame.request.camera, tilesOf(frame, frame.plan.drawn),
+                        frame.rows().needsDistances(), sampling->take());
     return view_ = sampling;
 }
 
@@ -215,14 +212,10 @@ SampledPicture FrameSampler::picture(const Frame& frame, bool withSums) {
         // The published antialiasing draws other tiles than sums are made of.
         std::shared_ptr<ViewSampling> sums =
             withSums && !frame.settings().usesPublishedTiles() ? newSampling(frame) : nullptr;
-        SurfaceSampler::Take take;
-        if (sums)
-            take = [own = sums.get()](const SampleTile& tile, const GeometrySamples& samples) {
-                own->sums_.addToView(tile, samples, own->factors_);
-            };
         surfaces_.onEngine(frame.surfaces.engine, [&] {
             Stopwatch watch(all_s);
-            SurfaceRttPass rtt(frame, surfaces_, occluderStacks_, pictureFactors_, std::move(take));
+            SurfaceRttPass rtt(frame, surfaces_, occluderStacks_, pictureFactors_,
+                               sums ? sums->take() : SurfaceSampler::Take());
             reduction = strategy.draw(frame.request.camera, frame.plan.drawn, rtt);
             drawing_s = rtt.seconds;
             sorting_s = rtt.sortSeconds;

@@ -96,6 +96,12 @@ class ViewSampling {
 
   private:
     friend class FrameSampler;
+    /// What adds the samples of a tile to the factors; it must not outlive this.
+    SurfaceSampler::Take take() {
+        return [this](const SampleTile& tile, const GeometrySamples& samples) {
+            sums_.addToView(tile, samples, factors_);
+        };
+    }
 
     ViewKey key_;
     std::vector<FrameBackground> varying_; // backgrounds that vary over the view

@@ -181,13 +181,8 @@ void runDetection(AnalysisData& data, const DetectionRequest& request, const Ren
         sensitivity.emplace(shared, request);
     CaseWarnings warnings;
     std::size_t done = 0, resolved = 0, never = 0, beyond = 0, full = 0;
-    if (control.isRehearsal) {
-        AnalysisCase first = plan.cases.front();
-        first.range_m = request.limits.nearest_m;
-        const PlacedCase placed = shared.placer.place(shared.scene, first);
-        door.check(placed.scene, placed.view, irsg::Outputs::reports());
-        return;
-    }
+    if (control.isRehearsal)
+        return shared.check(request.limits.nearest_m);
     // Paths into the ground, say.
     double leastRefused_m = std::numeric_limits<double>::infinity();
     std::string refusal;

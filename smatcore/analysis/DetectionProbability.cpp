@@ -31,10 +31,7 @@ std::vector<SceneDescription> drawnScenes(AnalysisData& data, const SceneDescrip
         for (const SceneScaling& scaling : scalings) {
             irsg::Entity& entity =
                 scenes[draw].entities[static_cast<std::size_t>(scaling.input.entity)];
-            auto& scales = scaling.input.kind == irsg::ScalingKind::temperature
-                               ? entity.temperatureScale
-                               : entity.emissivityScale;
-            scales[scaling.input.index] = scaling.at(seed, draw);
+            scalesOf(entity, scaling.input.kind)[scaling.input.index] = scaling.at(seed, draw);
         }
     return scenes;
 }
@@ -70,13 +67,8 @@ void runDetectionProbability(AnalysisData& data, const DetectionRequest& request
     };
     const DetectionScene shared(data, request, door, scenes);
     TargetSight sight(request);
-    if (control.isRehearsal) {
-        AnalysisCase first = shared.plan.cases.front();
-        first.range_m = request.ranges_m.front();
-        const PlacedCase placed = shared.placer.place(shared.scene, first);
-        door.check(placed.scene, placed.view, irsg::Outputs::reports());
-        return;
-    }
+    if (control.isRehearsal)
+        return shared.check(request.ranges_m.front());
     ResultTable& table = data.table;
     table.add(irsg::Quantity::range);
     table.add("probability", "");

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string_view>
 
 #include "irsg/core/Errors.h"
+#include "smatcore/project/SceneScalings.h"
 
 namespace smat {
 
@@ -112,10 +114,9 @@ DetectionRequest changed(const DetectionRequest& request, const Number& number, 
 SceneDescription scaled(const SceneDescription& scene, irsg::ScalingKind kind, double factor) {
     SceneDescription out = scene;
     irsg::Entity& target = out.entities.front();
-    const bool isTemperature = kind == irsg::ScalingKind::temperature;
-    auto& scales = isTemperature ? target.temperatureScale : target.emissivityScale;
+    std::map<int, double>& scales = scalesOf(target, kind);
     const auto scale = [&](int index) { scales.try_emplace(index, 1.0).first->second *= factor; };
-    if (isTemperature)
+    if (kind == irsg::ScalingKind::temperature)
         for (const auto& [index, entry] : target.database->temperatures)
             scale(index);
     else

@@ -93,6 +93,13 @@ DetectionScene::DetectionScene(AnalysisData& data, const DetectionRequest& reque
     irsg::appendUnique(data.warnings, scene.remarks);
 }
 
+void DetectionScene::check(double range_m) const {
+    AnalysisCase first = plan.cases.front();
+    first.range_m = range_m;
+    const PlacedCase placed = placer.place(scene, first);
+    door.check(placed.scene, placed.view, irsg::Outputs::reports());
+}
+
 TargetAspect::TargetAspect(const DetectionScene& shared, const SceneDescription& scene,
                            TargetSight& sight, AnalysisCase one, AnalysisData& data,
                            CaseWarnings& warnings)

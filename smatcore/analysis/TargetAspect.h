@@ -31,6 +31,8 @@ struct DetectionScene {
     /// Makes it of the settings of `data` and tells it what there is to warn of. Throws InputError.
     DetectionScene(AnalysisData& data, const DetectionRequest& request, const RenderDoor& door,
                    const SceneFactory& scenes);
+    /// Throws InputError for what a run would refuse of the first aspect at a range.
+    void check(double range_m) const;
 
     const RenderDoor& door;
     AnalysisPlan plan;

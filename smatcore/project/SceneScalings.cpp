@@ -103,13 +103,15 @@ std::vector<SceneScaling> sceneScalings(const Project& project, const SceneDescr
     return found;
 }
 
+std::map<int, double>& scalesOf(irsg::Entity& entity, ScalingKind kind) {
+    return kind == ScalingKind::temperature ? entity.temperatureScale : entity.emissivityScale;
+}
+
 void applyScalings(const Project& project, std::uint64_t seed, SceneDescription& scene) {
     for (const SceneScaling& scaling : sceneScalings(project, scene, scene.remarks)) {
         irsg::Entity& entity = scene.entities[static_cast<std::size_t>(scaling.input.entity)];
         const double value = scaling.at(seed, 0);
-        (scaling.input.kind == ScalingKind::temperature
-             ? entity.temperatureScale
-             : entity.emissivityScale)[scaling.input.index] = value;
+        scalesOf(entity, scaling.input.kind)[scaling.input.index] = value;
         scene.sampledScales.push_back(
             fmt::format("{}: {}{}", scaling.name, irsg::numberText(value),
                         scaling.isFixed() ? "" : ", " + describe(scaling.distribution)));

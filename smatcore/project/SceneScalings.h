@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,9 @@ struct SceneScaling {
     /// Its value in draw number `draw` of a seed, from a random sequence of its own.
     double at(std::uint64_t seed, std::uint64_t draw) const;
 };
+
+/// The scales of an entity of one kind, by index.
+std::map<int, double>& scalesOf(irsg::Entity& entity, irsg::ScalingKind kind);
 
 /// The scales that the files beside the models of a project give to a scene, entity by entity,
 /// temperatures first. Scales of 1 are left out; so are, with a remark, temperature scales of

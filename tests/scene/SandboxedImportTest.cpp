@@ -18,13 +18,13 @@
 #include <osgSim/DOFTransform>
 #include <osgSim/MultiSwitch>
 
+#include "irsg/core/Bytes.h"
 #include "irsg/geometry/conversion/ModelLoader.h"
 #include "irsg/geometry/conversion/TextureImage.h"
 #include "irsg/geometry/model/Model.h"
 #include "irsg/geometry/reading/IrCodes.h"
 #include "irsg/geometry/reading/MaterialNames.h"
 #include "irsg/geometry/reading/sandbox/AxesCoding.h"
-#include "irsg/geometry/reading/sandbox/Bytes.h"
 #include "irsg/geometry/reading/sandbox/CompletenessCheck.h"
 #include "irsg/geometry/reading/sandbox/GraphCoding.h"
 #include "irsg/geometry/reading/sandbox/ReaderMessages.h"

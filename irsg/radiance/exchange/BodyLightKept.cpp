@@ -1,4 +1,3 @@
-#include <type_traits>
 #include <utility>
 
 #include "irsg/core/BinaryArchive.h"
@@ -66,37 +65,40 @@ std::string BodyLight::written() const {
         LightPairs::visitKept(*balance.pairs, writer);
         LightPairs::visitKept(*balance.between, writer);
     }
-    return writer.bytes();
+    return writer.take();
 }
 
 std::shared_ptr<const BodyLight> BodyLight::read(std::shared_ptr<const RayMesh> mesh,
                                                  std::string_view bytes) {
-    BinaryReader reader(bytes);
-    std::shared_ptr<const ExchangeMesh> cells = ExchangeMesh::read(std::move(mesh), reader);
-    if (!cells)
+    try {
+        BinaryReader reader(bytes);
+        std::shared_ptr<const ExchangeMesh> cells = ExchangeMesh::read(std::move(mesh), reader);
+        if (!cells)
+            return nullptr;
+        std::shared_ptr<BodyLight> made(new BodyLight);
+        made->nodes_ = ExchangeNodes::read(std::move(cells), reader);
+        visitKept(*made, reader);
+        std::size_t count = 0;
+        reader(count);
+        for (std::size_t stack = 0; stack < count; ++stack) {
+            std::vector<int> numbers;
+            reader(numbers);
+            std::vector<OccluderMaterial> materials;
+            for (std::size_t i = 0; i + 1 < numbers.size(); i += 2)
+                materials.emplace_back(numbers[i], numbers[i + 1]);
+            made->passages_.numberOf(materials); // in the order of their numbers
+        }
+        reader(count);
+        for (std::size_t passage = 0; passage < count; ++passage) {
+            auto pairs = std::make_shared<LightPairs>(), between = std::make_shared<LightPairs>();
+            LightPairs::visitKept(*pairs, reader);
+            LightPairs::visitKept(*between, reader);
+            made->balances_.push_back({std::move(pairs), std::move(between)});
+        }
+        return reader.atEnd() && !made->balances_.empty() ? made : nullptr;
+    } catch (const DamagedBytes&) {
         return nullptr;
-    std::shared_ptr<BodyLight> made(new BodyLight);
-    made->nodes_ = ExchangeNodes::read(std::move(cells), reader);
-    visitKept(*made, reader);
-    std::size_t count = 0;
-    reader(count);
-    for (std::size_t stack = 0; stack < count && !reader.hasEnded(); ++stack) {
-        std::vector<int> numbers;
-        reader(numbers);
-        std::vector<OccluderMaterial> materials;
-        for (std::size_t i = 0; i + 1 < numbers.size(); i += 2)
-            materials.emplace_back(numbers[i], numbers[i + 1]);
-        made->passages_.numberOf(materials); // in the order of their numbers
     }
-    count = 0;
-    reader(count);
-    for (std::size_t passage = 0; passage < count && !reader.hasEnded(); ++passage) {
-        auto pairs = std::make_shared<LightPairs>(), between = std::make_shared<LightPairs>();
-        LightPairs::visitKept(*pairs, reader);
-        LightPairs::visitKept(*between, reader);
-        made->balances_.push_back({std::move(pairs), std::move(between)});
-    }
-    return reader.isWhole() && !made->balances_.empty() ? made : nullptr;
 }
 
 } // namespace irsg

@@ -6,7 +6,7 @@
 #include <osg/StateAttribute>
 #include <osg/Texture2D>
 
-#include "irsg/geometry/reading/sandbox/Bytes.h"
+#include "irsg/core/Bytes.h"
 
 namespace irsg {
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "irsg/core/Bytes.h"
 #include "irsg/geometry/reading/FileAxes.h"
-#include "irsg/geometry/reading/sandbox/Bytes.h"
 
 namespace irsg {
 

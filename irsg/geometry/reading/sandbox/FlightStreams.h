@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "irsg/geometry/reading/sandbox/Bytes.h"
+#include "irsg/core/Bytes.h"
 
 namespace irsg {
 

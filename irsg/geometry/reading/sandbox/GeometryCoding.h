@@ -4,7 +4,7 @@
 
 #include <osg/Geometry>
 
-#include "irsg/geometry/reading/sandbox/Bytes.h"
+#include "irsg/core/Bytes.h"
 
 namespace irsg {
 

@@ -6,7 +6,7 @@
 
 #include <osg/Node>
 
-#include "irsg/geometry/reading/sandbox/Bytes.h"
+#include "irsg/core/Bytes.h"
 
 namespace irsg {
 

@@ -2,7 +2,7 @@
 
 #include <osgSim/DOFTransform>
 
-#include "irsg/geometry/reading/sandbox/Bytes.h"
+#include "irsg/core/Bytes.h"
 
 namespace irsg {
 

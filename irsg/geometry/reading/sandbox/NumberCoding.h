@@ -3,7 +3,7 @@
 #include <cstring>
 #include <string_view>
 
-#include "irsg/geometry/reading/sandbox/Bytes.h"
+#include "irsg/core/Bytes.h"
 
 namespace irsg {
 

@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <vector>
 
+#include "irsg/core/Bytes.h"
 #include "irsg/core/FoundNames.h"
-#include "irsg/geometry/reading/sandbox/Bytes.h"
 
 namespace irsg {
 

@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include "irsg/core/Bytes.h"
 #include "irsg/core/Errors.h"
-#include "irsg/geometry/reading/sandbox/Bytes.h"
 #include "irsg/geometry/reading/sandbox/OwnFiles.h"
 #include "irsg/geometry/reading/sandbox/ReadingLimits.h"
 

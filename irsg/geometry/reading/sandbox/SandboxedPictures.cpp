@@ -1,7 +1,7 @@
 #include "irsg/geometry/reading/sandbox/SandboxedPictures.h"
 
+#include "irsg/core/Bytes.h"
 #include "irsg/core/Errors.h"
-#include "irsg/geometry/reading/sandbox/Bytes.h"
 #include "irsg/geometry/reading/sandbox/StateCoding.h"
 
 namespace irsg {

@@ -8,7 +8,7 @@
 #include <osg/Image>
 #include <osg/StateSet>
 
-#include "irsg/geometry/reading/sandbox/Bytes.h"
+#include "irsg/core/Bytes.h"
 
 namespace irsg {
 

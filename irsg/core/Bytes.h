@@ -13,13 +13,13 @@
 
 namespace irsg {
 
-/// What came from a reading process does not hold together.
+/// Bytes of another process, or of an earlier one, do not hold together.
 class DamagedBytes : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };
 
-/// Values one behind the other, as two processes of one machine hand them to each other.
+/// Values one behind the other, as processes of one machine hand them to each other.
 class ByteSink {
   public:
     template <typename Value>
