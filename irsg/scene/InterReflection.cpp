@@ -56,6 +56,18 @@ LightSources sourcesOf(const Scene& scene) {
     return sources;
 }
 
+/// All that light of sky, ground and sun on a body depends on beside its attitude and the ground's
+/// reflectivity.
+std::vector<double> numbersOf(const LightSources& sources, const RenderSettings& settings) {
+    std::vector<double> all;
+    appendTo(all, sources.towardsSun);
+    all.insert(all.end(),
+               {settings.lightError, sources.sunAlways, sources.isSkyOn ? 1.0 : 0.0,
+                sources.isSunOn ? 1.0 : 0.0, sources.isSunShadowed ? 1.0 : 0.0,
+                settings.terrainHides ? 1.0 : 0.0, static_cast<double>(settings.fluxWeights)});
+    return all;
+}
+
 /// The mean of what surfaces emit, by output, W m-2 sr-1, with their areas by row.
 std::vector<double> emissionOf(const std::map<int, double>& areas_m2, double whole_m2,
                                const SceneRadiometry& radiometry) {
@@ -111,6 +123,12 @@ std::vector<LightExchange::Gas> gasesOf(const Scene& scene, const SceneRadiometr
 }
 
 } // namespace
+
+bool InterReflection::Known::isAs(const Known& other) const {
+    return numbers == other.numbers && bodies == other.bodies && terrain == other.terrain &&
+           ground == other.ground && keys == other.keys && hasLobes == other.hasLobes &&
+           components == other.components;
+}
 
 LightExchange::Extent InterReflection::extentOf(const Entity& entity,
                                                 const SunShadows::Caster& caster,
@@ -198,12 +216,7 @@ InterReflection::exchangeOf(const Scene& scene, const SceneEvaluation& evaluatio
     for (const Entity& entity : scene.entities)
         if (isPlaceOfMatter)
             appendTo(key.numbers, entity.pose.position_m);
-    appendTo(key.numbers, sources.towardsSun);
-    key.numbers.insert(key.numbers.end(),
-                       {settings.lightError, sources.sunAlways, sources.isSkyOn ? 1.0 : 0.0,
-                        sources.isSunOn ? 1.0 : 0.0, sources.isSunShadowed ? 1.0 : 0.0,
-                        settings.terrainHides ? 1.0 : 0.0,
-                        static_cast<double>(settings.fluxWeights)});
+    appendTo(key.numbers, numbersOf(sources, settings));
     for (const auto& [row, zone] : radiometry.rows().gases())
         key.numbers.push_back(static_cast<double>(row));
     key.hasLobes = !evaluation.surfaceRows().lobes().empty();
@@ -213,17 +226,42 @@ InterReflection::exchangeOf(const Scene& scene, const SceneEvaluation& evaluatio
     key.terrain = scene.terrain;
     key.ground = sources.groundReflectivity;
     key.keys = evaluation.surfaceRows().keys();
-    const auto isAsked = [&](const Known& one) {
-        return one.numbers == key.numbers && one.bodies == key.bodies &&
-               one.terrain == key.terrain && one.ground == key.ground && one.keys == key.keys &&
-               one.hasLobes == key.hasLobes && one.components == key.components;
-    };
-    if (const Known* known = exchanges_.find(isAsked))
+    if (const Known* known = exchanges_.find([&](const Known& one) { return one.isAs(key); }))
         return known->exchange;
-    key.exchange = std::make_shared<const LightExchange>(std::move(bodies), casters, sources,
-                                                         settings.lightError, key.hasLobes,
-                                                         key.components, gases);
+    const bool areApart = bodies.size() > 1 && !isPlaceOfMatter && gases.empty();
+    key.exchange = areApart
+                       ? ofEachAlone(bodies, casters, sources, scene, key)
+                       : std::make_shared<const LightExchange>(std::move(bodies), casters, sources,
+                                                               settings.lightError, key.hasLobes,
+                                                               key.components, gases);
     return exchanges_.add(std::move(key)).exchange;
+}
+
+std::shared_ptr<const LightExchange>
+InterReflection::ofEachAlone(const std::vector<LightExchange::Body>& bodies,
+                             const std::vector<SunShadows::Caster>& casters,
+                             const LightSources& sources, const Scene& scene, const Known& key) {
+    std::vector<std::shared_ptr<const LightExchange>> all;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        const SunShadows::Caster& caster = casters[b];
+        Known own;
+        own.bodies = {bodies[b].light};
+        own.hasLobes = key.hasLobes;
+        appendTo(own.numbers, caster.pose.attitude);
+        appendTo(own.numbers, numbersOf(sources, scene.settings));
+        own.numbers.push_back(caster.entity);
+        own.numbers.insert(own.numbers.end(), caster.rows.begin(), caster.rows.end());
+        own.numbers.insert(own.numbers.end(), caster.materials.begin(), caster.materials.end());
+        const auto make = [&] {
+            own.exchange = std::make_shared<const LightExchange>(
+                std::vector{bodies[b]}, std::vector{caster}, sources, scene.settings.lightError,
+                key.hasLobes);
+            return std::move(own);
+        };
+        all.push_back(ofBodies_.of([&](const Known& one) { return one.isAs(own); }, make).exchange);
+    }
+    return std::make_shared<const LightExchange>(std::move(all), casters, key.hasLobes,
+                                                 key.components);
 }
 
 InterReflected InterReflection::of(const Scene& scene, const SceneEvaluation& evaluation,

@@ -46,7 +46,15 @@ class InterReflection {
         bool hasLobes = false;
         std::vector<std::size_t> components;
         std::shared_ptr<const LightExchange> exchange;
+
+        /// Whether all but the exchange is equal.
+        bool isAs(const Known& other) const;
     };
+    /// Of bodies that do not matter to each other: those that have not turned are known.
+    std::shared_ptr<const LightExchange> ofEachAlone(const std::vector<LightExchange::Body>& bodies,
+                                                     const std::vector<SunShadows::Caster>& casters,
+                                                     const LightSources& sources,
+                                                     const Scene& scene, const Known& key);
     LightExchange::Extent extentOf(const Entity& entity, const SunShadows::Caster& caster,
                                    const SceneRadiometry& radiometry, bool isAlone);
     std::shared_ptr<const LightExchange> exchangeOf(const Scene& scene,
@@ -56,7 +64,7 @@ class InterReflection {
     PreparedEntities& prepared_;
     const OccluderStacks& occluderStacks_;
     StageClock& clock_;
-    RecentlyUsed<Known> exchanges_{4};
+    RecentlyUsed<Known> exchanges_{4}, ofBodies_{16};
     LightSolutions solutions_;
 };
 

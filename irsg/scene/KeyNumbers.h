@@ -13,5 +13,8 @@ inline void appendTo(std::vector<double>& numbers, const Vec3& v) {
 inline void appendTo(std::vector<double>& numbers, const Attitude& attitude) {
     numbers.insert(numbers.end(), {attitude.yaw_rad, attitude.pitch_rad, attitude.roll_rad});
 }
+inline void appendTo(std::vector<double>& numbers, const std::vector<double>& more) {
+    numbers.insert(numbers.end(), more.begin(), more.end());
+}
 
 } // namespace irsg

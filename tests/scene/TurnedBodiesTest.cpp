@@ -1,6 +1,7 @@
 // Inter-reflection of bodies that turn, and of bodies that are far from each other.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -50,7 +51,7 @@ struct SampleBody {
         uses = PieceUses(mesh->pieces.size());
         for (std::size_t i = 0; i < mesh->pieces.size(); ++i) {
             const int code = mesh->partOf(mesh->pieces[i]).codes.material;
-            uses.set(i, {true, code == 4, false, 0, code == 4 ? 1 : 0});
+            uses.set(i, {true, code == 4, false, 0, code == 4 ? code + 1 : 0});
             materials.push_back(code);
         }
         light = madeBody(uses, rays);
@@ -74,7 +75,8 @@ struct SampleBody {
 };
 
 LightExchange exchangeOf(const std::vector<SunShadows::Caster>& casters,
-                         const std::vector<std::shared_ptr<const BodyLight>>& lights) {
+                         const std::vector<std::shared_ptr<const BodyLight>>& lights,
+                         bool hasLobes = false) {
     LightSources sources;
     sources.towardsSun = normalized(Vec3{0.3, -0.2, 0.8});
     sources.skyOf = skyFactor;
@@ -83,7 +85,7 @@ LightExchange exchangeOf(const std::vector<SunShadows::Caster>& casters,
         LightExchange::Extent extent{casters[b].pose.position_m, 1.6, 2.0, {1.0}};
         bodies.push_back({casters[b].entity, lights[b], extent});
     }
-    return LightExchange(std::move(bodies), casters, sources, 0.01);
+    return LightExchange(std::move(bodies), casters, sources, 0.01, hasLobes);
 }
 
 /// All that knows where a body turns, of receivers and senders from some on.
@@ -295,4 +297,85 @@ TEST_F(TurnedBodies, FarFromEachOtherAreSolvedAsEachAlone) {
         }
     }
     EXPECT_GT(most, 0.1);
+}
+
+TEST_F(TurnedBodies, FarFromEachOtherArePutTogetherOfEachAlone) {
+    const SampleBody body, other;
+    const auto rows = static_cast<int>(body.materials.size());
+    const SunShadows::Caster near = body.at(0, {0, 0, 500}, 0.7, 0);
+    const SunShadows::Caster far = other.at(1, {400, 300, 700}, 1.9, rows);
+    const auto both = std::make_shared<const LightExchange>(
+        exchangeOf({near, far}, {body.light, other.light}, true));
+    const auto together = std::make_shared<const LightExchange>(
+        std::vector{std::make_shared<const LightExchange>(exchangeOf({near}, {body.light}, true)),
+                    std::make_shared<const LightExchange>(exchangeOf({far}, {other.light}, true))},
+        std::vector{near, far}, true);
+    ASSERT_EQ(together->alone().size(), 2u);
+    EXPECT_TRUE(together->areApart());
+    EXPECT_EQ(numbersOf(*together), numbersOf(*both));
+    ASSERT_EQ(together->panes(), both->panes());
+    ASSERT_EQ(together->through().size(), both->through().size());
+    ASSERT_GE(both->through().size(), 2u) << "what is seen through the pane of each";
+    ASSERT_EQ(together->reflected(), both->reflected());
+    for (std::size_t row = 0; row < both->rows(); ++row) {
+        EXPECT_EQ(together->seesAnything(static_cast<int>(row)),
+                  both->seesAnything(static_cast<int>(row)));
+    }
+    std::uint32_t cells = 0;
+    for (const LightExchange::Body& one : both->bodies()) {
+        cells += static_cast<std::uint32_t>(one.light->mesh().cells());
+    }
+    double sunBeside = 0.0;
+    for (std::uint32_t cell = 0; cell < cells; ++cell) {
+        EXPECT_EQ(together->openAt(cell), both->openAt(cell));
+        const auto leaving = [&](const LightExchange& exchange) {
+            std::vector<double> all; // of sets of panes in any order
+            exchange.forEachReflected(cell, 0.2f, 0.3f, [&](std::uint32_t number, float weight) {
+                all.push_back(static_cast<double>(weight));
+                all.push_back(number < exchange.senders() + exchange.rows() ? number : 0.0);
+                sunBeside += number < exchange.senders() ? 0.0 : std::abs(weight);
+            });
+            std::ranges::sort(all);
+            return all;
+        };
+        EXPECT_EQ(leaving(*together), leaving(*both)) << cell;
+    }
+    EXPECT_GT(sunBeside, 0.1);
+
+    std::vector<LightColumn> columns;
+    for (int row = 0; row < 2 * rows; ++row) {
+        for (const LightPattern pattern :
+             {LightPattern::emission, LightPattern::sky, LightPattern::sun}) {
+            columns.push_back({row, 0, pattern});
+        }
+    }
+    for (int row = 0; row < 2 * rows; row += rows) {
+        columns.push_back({row, 0, LightPattern::passedSky});
+    }
+    std::vector<LightKnot> knots;
+    for (const double reflectivity : {0.6, 0.3}) {
+        knots.push_back({std::vector<double>(both->rows(), reflectivity), {0.5, 0.8}, {}});
+    }
+    const LightSolution direct(*both, columns, knots, -1, 1e-7);
+    LightSolutions solutions;
+    const auto solved = solutions.of(together, columns, knots, -1, 1e-7);
+    std::vector<double> most(columns.size());
+    const auto expectEqual = [&](std::span<const float> own, std::span<const float> expected) {
+        ASSERT_EQ(own.size(), expected.size());
+        for (std::size_t k = 0; k < own.size(); ++k) {
+            EXPECT_NEAR(own[k], expected[k], 2e-6) << k;
+            double& largest = most[k % columns.size()];
+            largest = std::max(largest, static_cast<double>(own[k]));
+        }
+    };
+    // What stands behind these goes by the sets of panes, which have another order.
+    for (std::size_t r = 0; r < both->receivers() + both->senders() + both->rows(); ++r) {
+        expectEqual(solved->of(r), direct.of(r));
+    }
+    for (std::size_t s = 0; s < both->senders(); ++s) {
+        expectEqual(solved->ofSender(s), direct.ofSender(s));
+    }
+    EXPECT_GT(*std::ranges::max_element(most), 0.1);
+    EXPECT_GT(most.back(), 0.1) << "the sky through the pane of the second";
+    EXPECT_EQ(solutions.of(together, columns, knots, -1, 1e-7), solved);
 }

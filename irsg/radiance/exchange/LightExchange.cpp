@@ -177,14 +177,16 @@ void LightExchange::number(const std::vector<SunShadows::Caster>& casters) {
 }
 
 void LightExchange::takeOpenness() {
+    std::vector<float> open(receivers());
+    parallelForSmall(open.size(),
+                     [&](std::uint32_t r) { open[r] = static_cast<float>(1.0 - seen(r)); });
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
         const ExchangeNodes& nodes = bodies_[b].light->nodes();
         const std::size_t first = firstVertex_[b], count = nodes.mesh().vertices().size();
         openOfVertex_.resize(first + count);
         parallelForSmall(count, [&](std::uint32_t vertex) {
             for (const ExchangeNodes::Share& share : nodes.sharesOf(vertex))
-                openOfVertex_[first + vertex] +=
-                    share.part * static_cast<float>(1.0 - seen(firstReceiver_[b] + share.node));
+                openOfVertex_[first + vertex] += share.part * open[firstReceiver_[b] + share.node];
         });
     }
 }

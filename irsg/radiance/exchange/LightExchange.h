@@ -75,7 +75,16 @@ class LightExchange {
                   const LightSources& sources, double error, bool hasLobes = false,
                   const std::vector<std::size_t>& components = {},
                   const std::vector<Gas>& gases = {});
+    /// Of bodies that neither light, shade nor hide each other: `ofBodies` has each alone, with the
+    /// drawn rows of the scene and no components.
+    LightExchange(std::vector<std::shared_ptr<const LightExchange>> ofBodies,
+                  const std::vector<SunShadows::Caster>& casters, bool hasLobes = false,
+                  const std::vector<std::size_t>& components = {});
 
+    /// That of each body, where it was made of these; else none.
+    const std::vector<std::shared_ptr<const LightExchange>>& alone() const { return alone_; }
+    std::size_t firstReceiver(std::size_t body) const { return firstReceiver_[body]; }
+    std::size_t firstSender(std::size_t body) const { return firstSender_[body]; }
     /// Of receivers, by sender.
     const LightPairs& pairs() const { return *balance_.pairs; }
     /// Of senders, by sender.
@@ -274,6 +283,7 @@ class LightExchange {
 
   private:
     struct Making;
+    class OwnRays;
     void number(const std::vector<SunShadows::Caster>& casters);
     /// The body whose numbers hold this one, from the first number of each.
     static std::size_t bodyAt(const std::vector<std::uint32_t>& first, std::size_t number) {
@@ -284,13 +294,16 @@ class LightExchange {
     void takePairs(Making& making);
     void takeOwn(Making& making, std::size_t body, std::uint32_t patch,
                  const PatchRays& starts) const;
-    /// The same of a ray that has passed transparent surfaces.
-    void takeOwnPassed(Making& making, std::size_t body, std::uint32_t patch, std::uint32_t cell,
-                       const PatchRays::Ray& start, bool isUp) const;
     /// What those of `bodies` who are alone see of each other, each as its own `balance` has it,
     /// and all others as `common` has it.
     LightBalance withOwnOf(const Making& making, const LightBalance& common,
                            const std::vector<const LightBalance*>& ofBodies) const;
+    /// Pairs of all bodies from those of each, by their own numbers; null: of one that has none.
+    LightBalance balanceOfAlone(const std::vector<const LightBalance*>& ofBodies) const;
+    /// Adds what a body alone sees through transparent materials; `sunOnRows`: by the number that
+    /// `sunBesideMean()` of the body has, the one that it has here.
+    void addThrough(std::size_t body, const LightThrough& own,
+                    std::vector<std::uint32_t>& sunOnRows);
     /// Adds the pairs of a body to those of the scene.
     void copyPairs(const LightPairs& pairs, std::size_t body,
                    std::vector<std::vector<LightPart>>& to) const;
@@ -380,6 +393,7 @@ class LightExchange {
     LightPairs sunBesideMean_;
     std::vector<Loss> losses_;
     std::vector<double> sky_, ground_, sun_;
+    std::vector<std::shared_ptr<const LightExchange>> alone_; // by body
 };
 
 } // namespace irsg

@@ -118,9 +118,12 @@ LightPairs::LightPairs(std::span<const Block> blocks) {
     pairs_.reserve(first_.back());
     for (const Block& block : blocks)
         for (std::size_t i = block.pairs ? block.pairs->first_[block.first] : 0;
-             block.pairs && i < block.pairs->first_[block.first + block.count]; ++i)
-            pairs_.push_back({block.pairs->pairs_[i].sender + block.addToSenders,
-                              block.pairs->pairs_[i].factor});
+             block.pairs && i < block.pairs->first_[block.first + block.count]; ++i) {
+            const LightPair& pair = block.pairs->pairs_[i];
+            const std::uint32_t sender =
+                block.numbers ? (*block.numbers)[pair.sender] : pair.sender + block.addToSenders;
+            pairs_.push_back({sender, pair.factor});
+        }
 }
 
 double LightPairs::sumOf(std::size_t receiver) const {

@@ -32,11 +32,12 @@ class LightPairs {
     /// Parts of factors that belong together are added in the order in which they come.
     LightPairs(std::size_t receivers, std::vector<std::vector<LightPart>> parts);
     /// Receivers of another list, whose senders have numbers that are higher by `addToSenders`
-    /// here; null: so many that get nothing.
+    /// here, or those of `numbers`; null: so many that get nothing.
     struct Block {
         const LightPairs* pairs = nullptr;
         std::size_t first = 0, count = 0;
         std::uint32_t addToSenders = 0;
+        const std::vector<std::uint32_t>* numbers = nullptr; ///< ascending, by sender
     };
     /// Those of blocks, one behind the other.
     explicit LightPairs(std::span<const Block> blocks);

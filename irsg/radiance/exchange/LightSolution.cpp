@@ -182,11 +182,8 @@ double LightFactors::passedOn(std::size_t sender, const LightColumn& column) con
                                                           : 0.0;
 }
 
-LightSolution::LightSolution(const LightExchange& exchange, const std::vector<LightColumn>& columns,
-                             const std::vector<LightKnot>& knots, int bounces, double error)
-    : columns_(columns.size()),
-      knots_(knots.size()),
-      places_(exchange.receivers() + exchange.reflected().size(), none) {
+void LightSolution::number(const LightExchange& exchange, const std::vector<LightColumn>& columns) {
+    places_.assign(exchange.receivers() + exchange.reflected().size(), none);
     for (std::size_t r = 0; r < exchange.receivers(); ++r)
         if (exchange.getsLight(r)) {
             places_[r] = receiver_.size();
@@ -194,13 +191,19 @@ LightSolution::LightSolution(const LightExchange& exchange, const std::vector<Li
         }
     for (const std::uint32_t number : exchange.reflected())
         places_[number] = receiver_.size() + reflected_++;
-    const std::size_t senders = exchange.senders();
     const auto isSent = [](const LightColumn& column) {
         return !column.isPassed() && column.component < 0;
     };
     sent_ = static_cast<std::size_t>(std::ranges::find_if_not(columns, isSent) - columns.begin());
     gathered_.resize(places() * columns_ * knots_);
-    ofSenders_.resize(senders * columns_ * knots_);
+    ofSenders_.resize(exchange.senders() * columns_ * knots_);
+}
+
+LightSolution::LightSolution(const LightExchange& exchange, const std::vector<LightColumn>& columns,
+                             const std::vector<LightKnot>& knots, int bounces, double error)
+    : columns_(columns.size()), knots_(knots.size()) {
+    number(exchange, columns);
+    const std::size_t senders = exchange.senders();
     std::vector<float> sent(exchange.sendersWithGas() * sent_);
     for (std::size_t c = 0; c < sent_; ++c)
         for (std::size_t gas = 0; gas < exchange.gasSenders().size(); ++gas)
@@ -404,22 +407,14 @@ std::shared_ptr<const LightSolution>
 LightSolutions::of(const std::shared_ptr<const LightExchange>& exchange,
                    const std::vector<LightColumn>& columns, const std::vector<LightKnot>& knots,
                    int bounces, double error) {
-    return known_
-        .of(
-            [&](const Known& one) {
-                return one.exchange == exchange && one.columns == columns && one.knots == knots &&
-                       one.bounces == bounces && one.error == error;
-            },
-            [&] {
-                return Known{
-                    exchange,
-                    columns,
-                    knots,
-                    bounces,
-                    error,
-                    std::make_shared<const LightSolution>(*exchange, columns, knots, bounces, error)};
-            })
-        .solution;
+    return find(known_, {exchange, columns, knots, bounces, error});
+}
+
+std::shared_ptr<const LightSolution> LightSolutions::find(RecentlyUsed<Known>& known, Asked asked) {
+    if (const Known* one = known.find([&](const Known& other) { return other.asked == asked; }))
+        return one->solution;
+    std::shared_ptr<const LightSolution> solution = solved(asked);
+    return known.add({std::move(asked), std::move(solution)}).solution;
 }
 
 } // namespace irsg

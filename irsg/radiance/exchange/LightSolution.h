@@ -94,6 +94,14 @@ class LightSolution {
     /// `error`: of all, as a part of the largest.
     LightSolution(const LightExchange& exchange, const std::vector<LightColumn>& columns,
                   const std::vector<LightKnot>& knots, int bounces, double error);
+    /// The solution of LightExchange::alone() of a body, and the numbers that its columns have
+    /// among all, ascending.
+    struct OfBody {
+        std::shared_ptr<const LightSolution> solution;
+        std::vector<std::size_t> columns;
+    };
+    LightSolution(const LightExchange& exchange, const std::vector<LightColumn>& columns,
+                  const std::vector<LightKnot>& knots, std::span<const OfBody> ofBodies);
 
     /// The number of a receiver among those that get anything; `none` for one that gets nothing.
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
@@ -118,6 +126,8 @@ class LightSolution {
                                 double error) const;
 
   private:
+    /// Numbers receivers, and makes room for their columns.
+    void number(const LightExchange& exchange, const std::vector<LightColumn>& columns);
     /// Columns that the surfaces of a body may get anything of.
     struct Columns {
         std::size_t first = 0, count = 0;
@@ -154,15 +164,21 @@ class LightSolutions {
                                             double error);
 
   private:
-    struct Known {
+    struct Asked {
         std::shared_ptr<const LightExchange> exchange;
         std::vector<LightColumn> columns;
         std::vector<LightKnot> knots;
         int bounces = 0;
         double error = 0.0;
+        bool operator==(const Asked&) const = default;
+    };
+    struct Known {
+        Asked asked;
         std::shared_ptr<const LightSolution> solution;
     };
-    RecentlyUsed<Known> known_{4};
+    std::shared_ptr<const LightSolution> find(RecentlyUsed<Known>& known, Asked asked);
+    std::shared_ptr<const LightSolution> solved(const Asked& asked);
+    RecentlyUsed<Known> known_{4}, alone_{8};
 };
 
 } // namespace irsg

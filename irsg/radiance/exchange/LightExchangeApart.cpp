@@ -1,0 +1,101 @@
+// What surfaces of bodies see that neither light, shade nor hide each other: each as it is alone.
+#include <algorithm>
+#include <numeric>
+
+#include "irsg/radiance/exchange/LightExchange.h"
+
+namespace irsg {
+
+namespace {
+
+template <typename Value>
+void append(std::vector<Value>& all, const std::vector<Value>& more, std::size_t count) {
+    all.insert(all.end(), more.begin(), more.begin() + static_cast<std::ptrdiff_t>(count));
+}
+
+} // namespace
+
+LightExchange::LightExchange(std::vector<std::shared_ptr<const LightExchange>> ofBodies,
+                             const std::vector<SunShadows::Caster>& casters, bool hasLobes,
+                             const std::vector<std::size_t>& components)
+    : hasLobes_(hasLobes), areApart_(true), alone_(std::move(ofBodies)) {
+    for (const auto& own : alone_)
+        bodies_.push_back(own->bodies_.front());
+    numberComponents(components);
+    number(casters);
+    sees_.assign(ofRow_.size(), false);
+    for (const auto& own : alone_) {
+        for (std::size_t row = 0; row < own->sees_.size(); ++row)
+            sees_[row] = sees_[row] || own->sees_[row];
+        append(getsLight_, own->getsLight_, own->receivers());
+        append(isSeen_, own->isSeen_, own->senders());
+        append(losses_, own->losses_, own->receivers());
+        append(openOfVertex_, own->openOfVertex_, own->openOfVertex_.size());
+        append(sunOnCells_, own->sunOnCells_, own->sunOnCells_.size());
+        append(sky_, own->sky_, own->senders());
+        append(ground_, own->ground_, own->senders());
+        append(sun_, own->sun_, own->senders());
+    }
+    std::vector<std::vector<std::uint32_t>> sunOnRows(alone_.size()); // by body and own number
+    for (std::size_t b = 0; b < alone_.size(); ++b) {
+        sunOnRows[b].resize(alone_[b]->rows());
+        std::iota(sunOnRows[b].begin(), sunOnRows[b].end(), 0u);
+        for (const LightThrough& one : alone_[b]->through_)
+            addThrough(b, one, sunOnRows[b]);
+    }
+    const std::vector<const LightBalance*> balances = [&] {
+        std::vector<const LightBalance*> all;
+        for (const auto& own : alone_)
+            all.push_back(&own->balance_);
+        return all;
+    }();
+    balance_ = balanceOfAlone(balances);
+    std::vector<LightPairs::Block> sun;
+    for (std::size_t b = 0; b < alone_.size(); ++b)
+        sun.push_back({&alone_[b]->sunBesideMean_, 0, alone_[b]->receivers(), 0, &sunOnRows[b]});
+    sunBesideMean_ = LightPairs(sun);
+    if (hasLobes_)
+        addReflected();
+}
+
+LightBalance LightExchange::balanceOfAlone(const std::vector<const LightBalance*>& ofBodies) const {
+    std::vector<LightPairs::Block> pairs, between;
+    bool areSame = senders() == receivers();
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        const ExchangeNodes& nodes = bodies_[b].light->nodes();
+        const LightBalance* const own = ofBodies[b];
+        pairs.push_back({own ? own->pairs.get() : nullptr, 0, nodes.nodes(), firstSender_[b]});
+        between.push_back(
+            {own ? own->between.get() : nullptr, 0, nodes.senders(), firstSender_[b]});
+        areSame = areSame && (own == nullptr || own->pairs == own->between);
+    }
+    LightBalance all;
+    all.pairs = std::make_shared<const LightPairs>(pairs);
+    all.between = areSame ? all.pairs : std::make_shared<const LightPairs>(between);
+    return all;
+}
+
+void LightExchange::addThrough(std::size_t body, const LightThrough& own,
+                               std::vector<std::uint32_t>& sunOnRows) {
+    std::vector<OccluderMaterial> set;
+    for (const std::size_t pane : own.panes)
+        set.push_back(alone_[body]->panes_[pane]);
+    LightThrough& one = throughOf(set);
+    for (std::size_t row = 0; row < alone_[body]->rows(); ++row)
+        sunOnRows.push_back(static_cast<std::uint32_t>(through_.size() * rows() + row));
+    std::vector<const LightBalance*> balances(bodies_.size());
+    balances[body] = &own.balance;
+    one.balance = balanceOfAlone(balances);
+    const auto put = [](auto& all, std::size_t count, const auto& values, std::size_t first) {
+        all.resize(count);
+        std::ranges::copy(values, all.begin() + static_cast<std::ptrdiff_t>(first));
+    };
+    put(one.leaving, receivers(), own.leaving, firstReceiver_[body]);
+    put(one.sky, senders(), own.sky, firstSender_[body]);
+    put(one.ground, senders(), own.ground, firstSender_[body]);
+    put(one.sun, senders(), own.sun, firstSender_[body]);
+    if (!own.sunOnCells.empty())
+        put(one.sunOnCells, cells_, own.sunOnCells, firstCell_[body]);
+}
+
+} // namespace irsg
