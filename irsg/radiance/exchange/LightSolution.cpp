@@ -212,12 +212,13 @@ LightSolution::LightSolution(const LightExchange& exchange, const std::vector<Li
     const std::vector<Columns> ofBodies =
         columnsOfBodies(exchange, std::span(columns).first(sent_));
     std::vector<std::size_t> passed;
-    std::vector<std::vector<std::size_t>> ofSun(exchange.rows()); // columns, by row
+    std::vector<std::vector<std::size_t>> ofRows(exchange.rows()); // columns that they send
     for (std::size_t c = 0; c < columns_; ++c) {
         if (columns[c].isPassed())
             passed.push_back(c);
-        if (columns[c].pattern == LightPattern::sun)
-            ofSun[static_cast<std::size_t>(columns[c].row)].push_back(c);
+        for (int row = 0; c < sent_ && row < static_cast<int>(exchange.rows()); ++row)
+            if (columns[c].isOf(row))
+                ofRows[static_cast<std::size_t>(row)].push_back(c);
     }
     // Each knot begins with what the last one ended with: reflectivities differ little.
     std::vector<float> leaving;
@@ -226,8 +227,8 @@ LightSolution::LightSolution(const LightExchange& exchange, const std::vector<Li
             leaving.clear();
         const LightFactors factors(exchange, knots[knot]);
         for (std::size_t s = 0; s < senders; ++s)
-            for (std::size_t c = 0; c < sent_; ++c)
-                if (exchange.isSeen(s) && columns[c].row == exchange.rowOfSender(s))
+            for (const std::size_t c : ofRows[static_cast<std::size_t>(exchange.rowOfSender(s))])
+                if (exchange.isSeen(s))
                     sent[s * sent_ + c] =
                         static_cast<float>(factors.patternOf(s, columns[c].pattern));
         iterate(factors, knots[knot].reflectivities, sent, sent_, ofBodies, bounces, error,
@@ -243,8 +244,9 @@ LightSolution::LightSolution(const LightExchange& exchange, const std::vector<Li
                 return;
             const auto [first, last] = exchange.sunBesideMean().of(receiver_[p]);
             for (const LightPair* pair = first; pair != last; ++pair)
-                for (const std::size_t c : ofSun[pair->sender % exchange.rows()])
-                    own[c] += passes(factors, pair->sender, exchange.rows()) * pair->factor;
+                for (const std::size_t c : ofRows[pair->sender % exchange.rows()])
+                    if (columns[c].pattern == LightPattern::sun)
+                        own[c] += passes(factors, pair->sender, exchange.rows()) * pair->factor;
         });
         forEachInParts(senders, [&](std::size_t s, std::size_t) {
             const auto [first, count] = ofBodies[exchange.bodyOfSender(s)];
@@ -279,7 +281,7 @@ void LightSolution::takeReflected(const LightFactors& factors,
             return c < sent_ ? leaving[i * sent_ + c] : 0.0f;
         if (i < exchange.firstReceived())
             return column.pattern == LightPattern::sun &&
-                           column.row == static_cast<int>((i - senders) % rows)
+                           column.isOf(static_cast<int>((i - senders) % rows))
                        ? passes(factors, i - senders, rows)
                        : 0.0f;
         if (i < exchange.firstSunOnBodies()) {

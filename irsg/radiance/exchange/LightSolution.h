@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <span>
@@ -15,12 +16,17 @@ namespace irsg {
 /// row's body.
 enum class LightPattern { emission, sun, sky, ground, passedSky, passedGround, passedSun };
 
-/// Light of one kind that the surfaces of one drawn row send of themselves, or reflect at first.
+/// Light of one kind that the surfaces of one drawn row send of themselves, or that those of some
+/// rows which reflect alike reflect at first.
 struct LightColumn {
     int row = 0;
     std::size_t term = 0; ///< of RadianceTerms
     LightPattern pattern = LightPattern::emission;
-    int component = -1; ///< emission that this one of a directional surface takes away
+    int component = -1;       ///< emission that this one of a directional surface takes away
+    std::vector<int> alike{}; ///< drawn rows beside the first
+    bool isOf(int drawn) const {
+        return drawn == row || std::ranges::find(alike, drawn) != alike.end();
+    }
     bool isPassed() const {
         return pattern == LightPattern::passedSky || pattern == LightPattern::passedGround ||
                pattern == LightPattern::passedSun;

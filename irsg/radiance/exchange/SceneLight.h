@@ -115,6 +115,7 @@ class SceneLight {
     static constexpr double leastReflectance_per_sr = 1e-9;
     void findColumns();
     void addPassedColumns();
+    void addReflected(int row, std::size_t term, LightPattern pattern);
     void addComponentColumns();
     void findKnots(const RenderSettings& settings);
     void fillSources();

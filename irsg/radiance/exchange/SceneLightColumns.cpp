@@ -46,7 +46,7 @@ void SceneLight::findColumns() {
             const bool reflects = std::ranges::any_of(
                 surface.reflectance, [](double value) { return value > leastReflectance_per_sr; });
             if (sends && reflects)
-                columns_.push_back({row, t, patternOf(terms[t].origin)});
+                addReflected(row, t, patternOf(terms[t].origin));
         }
     }
     for (const LightExchange::GasSender& gas : exchange_->gasSenders())
@@ -56,6 +56,25 @@ void SceneLight::findColumns() {
     addPassedColumns();
     if (exchange_->areMirrorsFollowed())
         addComponentColumns();
+}
+
+/// Rows of one material that reflect alike, whatever their temperatures, share a column.
+void SceneLight::addReflected(int row, std::size_t term, LightPattern pattern) {
+    const SurfaceRows& rows = radiometry_.rows();
+    const auto isAlike = [&](const LightColumn& column) {
+        const auto &own = rows.keyOf(row), &other = rows.keyOf(column.row);
+        return column.term == term && column.pattern == pattern && own.first == other.first &&
+               own.second.material == other.second.material &&
+               radiometry_.surfaces()[static_cast<std::size_t>(row)].reflectance ==
+                   radiometry_.surfaces()[static_cast<std::size_t>(column.row)].reflectance &&
+               &lightOn(row, static_cast<int>(term)) ==
+                   &lightOn(column.row, static_cast<int>(term));
+    };
+    const auto known = std::ranges::find_if(columns_, isAlike);
+    if (known != columns_.end())
+        known->alike.push_back(row);
+    else
+        columns_.push_back({row, term, pattern});
 }
 
 /// The emission that each component of a mirror takes away.
