@@ -4,6 +4,7 @@
 //     bench_exchange [--case NAME] [--error E]
 //     bench_exchange --public
 //     bench_exchange FILE... [--two-sided] [--emission-alone] [--own-normals]
+//     bench_exchange --write DIR ...; then benchmarks/mitsuba_witness.py DIR
 //
 // Every body is grey, opaque and even, in vacuum, and seen from the same distance by both. Band 3-5
 // um. The error of the reflected part is that of what inter-reflection adds to the library's own
@@ -21,6 +22,7 @@
 #include <CLI/CLI.hpp>
 
 #include "benchmarks/exchange/ExchangeCases.h"
+#include "benchmarks/exchange/WrittenScene.h"
 #include "irsg/core/ParallelFor.h"
 
 using namespace irsg;
@@ -30,7 +32,7 @@ using namespace irsg::test;
 namespace {
 
 struct Options {
-    std::string only;
+    std::string only, folder;
     std::vector<std::string> files;
     FileAspects aspects;
     bool isPublic = false;
@@ -38,6 +40,7 @@ struct Options {
     /// Known far better than what it judges: of 16 batches the error itself is off by a fifth, and
     /// tracing ends where it seems small.
     double tracedError = 5e-5, traced_s = 10.0;
+    int turns = 1; ///< of hard surfaces and samples, evenly around from their own on
     unsigned threads = 0, seed = 1;
 };
 
@@ -128,6 +131,10 @@ Tally judged(Renderer& renderer, const ExchangeCase& one, const Options& options
                 : isCovered ? "yes"
                             : "NO",
                 found.spent_s, truth.processor_s);
+    if (!options.folder.empty())
+        writeScene(one,
+                   {truth.total.value, truth.total.error, found.value, found.error, found.spent_s},
+                   options.folder);
     for (const std::string& warning : found.warnings)
         std::printf("    %s\n", warning.c_str());
     std::fflush(stdout);
@@ -147,7 +154,15 @@ Tally judged(const NamedCases& named, const Options& options) try {
     Renderer renderer;
     Tally all;
     for (const ExchangeCase& one : named.make())
-        all.add(judged(renderer, one, options));
+        for (int i = 0; i < options.turns; ++i) {
+            ExchangeCase turned = one;
+            turned.azimuth_deg += 360.0 * i / options.turns;
+            if (i > 0)
+                turned.closedForm.reset();
+            if (options.turns > 1)
+                turned.variant += " + " + std::to_string(360 * i / options.turns) + "°";
+            all.add(judged(renderer, turned, options));
+        }
     all.print(named.name);
     return all;
 } catch (const std::exception& error) {
@@ -180,6 +195,9 @@ int main(int argc, char** argv) try {
     app.add_option("files", options.files, "model files, each from 8 aspects");
     app.add_flag("--public", options.isPublic, "twelve models of Debian's packages");
     app.add_option("--case", options.only, "cases whose name begins so");
+    app.add_option("--aspects", options.turns, "of each case, evenly around from its own on")
+        ->check(CLI::Range(1, 360));
+    app.add_option("--write", options.folder, "folder for the scenes, with these numbers");
     app.add_flag("--two-sided", options.aspects.isTwoSided, "read the files two-sided");
     app.add_flag("--emission-alone", options.aspects.isEmissionAlone,
                  "the files without sun and sky");
