@@ -239,6 +239,7 @@ std::string ColumnDialect::words() const {
     std::string text = separator == ';'    ? "columns separated by semicolons"
                        : separator == '\t' ? "columns separated by tabs"
                        : separator == ' '  ? "columns separated by blanks"
+                       : separator == '|'  ? "columns separated by vertical bars"
                                            : "columns separated by commas";
     if (decimal == ',')
         text += ", decimal commas";
@@ -265,8 +266,9 @@ std::optional<char> statedSeparator(std::string_view line) {
     if (line.size() != 5 || lowerCase(std::string(line.substr(0, 4))) != "sep=")
         return std::nullopt;
     const char separator = line[4];
-    return separator == ',' || separator == ';' || separator == '\t' ? std::optional(separator)
-                                                                     : std::nullopt;
+    return separator == ',' || separator == ';' || separator == '\t' || separator == '|'
+               ? std::optional(separator)
+               : std::nullopt;
 }
 
 bool splitColumns(std::string_view line, char separator, std::vector<ColumnCell>& cells) {
@@ -318,8 +320,12 @@ std::optional<std::string> plainNumber(std::string_view cell, char decimal) {
     std::string plain;
     std::size_t i = 0, digits = 0;
     bool hasDecimalSign = false;
-    if (cell[i] == '+' || cell[i] == '-')
+    if (constexpr std::string_view minus = "\u2212"; cell.starts_with(minus)) {
+        plain += '-';
+        i += minus.size();
+    } else if (cell[i] == '+' || cell[i] == '-') {
         plain += cell[i++];
+    }
     for (; i < cell.size() && isDigit(cell[i]); ++i, ++digits)
         plain += cell[i];
     if (i < cell.size() && cell[i] == decimal) {
@@ -385,7 +391,8 @@ bool isNumberRow(const std::vector<ColumnCell>& cells, const ColumnDialect& dial
 ColumnDialect columnDialectOf(std::string_view text, const std::string& file) {
     // What there is to choose from.
     std::size_t mostCommas = 0;
-    bool semicolons = false, tabs = false, blanks = false, quotes = false, doubtful = false;
+    bool semicolons = false, tabs = false, bars = false, blanks = false, quotes = false,
+         doubtful = false;
     std::optional<char> stated;
     forEachRow(text, [&](std::string_view line, int number) {
         if (number == 1 && (stated = statedSeparator(line)))
@@ -394,6 +401,7 @@ ColumnDialect columnDialectOf(std::string_view text, const std::string& file) {
         mostCommas = std::max(mostCommas, signs.commas);
         semicolons = semicolons || signs.semicolons > 0;
         tabs = tabs || signs.tabs > 0;
+        bars = bars || line.find('|') != line.npos;
         blanks = blanks || signs.innerBlank;
         quotes = quotes || signs.quotes;
         doubtful = doubtful || (signs.commas > 0 && signs.points == 0);
@@ -404,6 +412,8 @@ ColumnDialect columnDialectOf(std::string_view text, const std::string& file) {
         candidates.insert(candidates.end(), {{';', '.'}, {';', ','}});
     if (tabs)
         candidates.insert(candidates.end(), {{'\t', '.'}, {'\t', ','}});
+    if (bars)
+        candidates.insert(candidates.end(), {{'|', '.'}, {'|', ','}});
     if (blanks || tabs)
         candidates.insert(candidates.end(), {{' ', '.'}, {' ', ','}});
     if (quotes)

@@ -9,7 +9,7 @@ namespace irsg {
 
 /// How a text writes columns of numbers.
 struct ColumnDialect {
-    char separator = ','; ///< ',', ';' or a tab; ' ' stands for blanks and tabs in any number
+    char separator = ','; ///< ',', ';', '|' or a tab; ' ' stands for blanks and tabs in any number
     char decimal = '.';   ///< '.' or ','; a decimal comma between separating commas is in quotes
 
     bool isPlain() const { return separator == ',' && decimal == '.'; }

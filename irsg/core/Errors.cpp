@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "irsg/core/Diagnostics.h"
+#include "irsg/core/Utf8.h"
 
 namespace irsg {
 
@@ -59,10 +60,10 @@ std::string Diagnostic::message() const {
     std::string text;
     for (const std::string& place : {file, position})
         if (!place.empty())
-            text += (text.empty() ? "" : ": ") + place;
+            text += (text.empty() ? "" : ": ") + utf8Text(place);
     std::string finding;
     if (!value.empty())
-        finding = (moreIn(*this) > 0 ? "and " : "found ") + value;
+        finding = (moreIn(*this) > 0 ? "and " : "found ") + utf8Text(value);
     if (!expected.empty())
         finding += (finding.empty() ? "expected " : ", expected ") + expected;
     if (!text.empty() && !finding.empty())

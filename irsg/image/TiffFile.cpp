@@ -68,12 +68,16 @@ class TiffReader {
         RadianceImage image;
         std::string leftOut;
         bool isOurs = false;
-        int page = 0;
+        int page = firstPicture() - 1;
+        for (int before = 1; before <= page; ++before)
+            leftOut += (leftOut.empty() ? "page " : ", page ") + std::to_string(before) +
+                       " (a reduced copy or a mask)";
+        const int first = page + 1;
         do {
             if (++page > mostPages)
                 throw InputError({name_, "page " + std::to_string(page), "more pages",
                                   "at most " + std::to_string(mostPages) + " planes"});
-            const std::string why = page > 1 ? reasonAgainst(image) : "";
+            const std::string why = page > first ? reasonAgainst(image) : "";
             if (!why.empty())
                 leftOut += (leftOut.empty() ? "page " : ", page ") + std::to_string(page) + why;
             else
@@ -85,11 +89,11 @@ class TiffReader {
             refuse("page " + std::to_string(page + 1), "an undamaged page or none");
         if (!leftOut.empty())
             remarkOn(name_, "leaves out " + leftOut + "; a page is read alone by its number");
-        if (image.channels.size() > 1 && page > 1 && !isOurs)
-            remarkOn(name_, "holds " + std::to_string(page) + " pages; page 1 is the plane " +
-                                image.channels.front().name +
-                                ", others are chosen by their number or as the channels " +
-                                "page2, ...");
+        if (image.channels.size() > 1 && page > first && !isOurs)
+            remarkOn(name_,
+                     "holds " + std::to_string(page) + " pages; page " + std::to_string(first) +
+                         " is the plane " + image.channels.front().name +
+                         ", others are chosen by their number or as the channels " + "page2, ...");
         return image;
     }
 
@@ -137,6 +141,26 @@ class TiffReader {
         const char* description = nullptr;
         return TIFFGetField(tiff_.get(), TIFFTAG_IMAGEDESCRIPTION, &description) == 1 &&
                std::string_view(description).starts_with("channel: ");
+    }
+
+    /// Goes to the first page that is no reduced copy and no mask, where there is one, else to the
+    /// first of all; its number.
+    int firstPicture() {
+        int page = 1;
+        for (; isCopyOrMask() && page < mostPages; ++page)
+            if (TIFFReadDirectory(tiff_.get()) != 1) {
+                if (!memory_.complaint.empty())
+                    refuse("page " + std::to_string(page + 1), "an undamaged page or none");
+                TIFFSetDirectory(tiff_.get(), 0);
+                return 1;
+            }
+        return page;
+    }
+
+    bool isCopyOrMask() const {
+        std::uint32_t kind = 0;
+        TIFFGetField(tiff_.get(), TIFFTAG_SUBFILETYPE, &kind);
+        return (kind & (FILETYPE_REDUCEDIMAGE | FILETYPE_MASK)) != 0;
     }
 
     /// Why the present page is no plane of the image, " (...)"; empty where it is one.

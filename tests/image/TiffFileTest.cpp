@@ -187,6 +187,31 @@ TEST(TiffFile, LeavesOutCopiesAndOtherSizesWithARemark) {
     }
 }
 
+TEST(TiffFile, ReadsTheFirstPageBehindCopiesAndMasks) {
+    const std::vector<float> whole = {1, 2, 3, 4}, small = {9};
+    const auto read = [&](int kind, int last) {
+        std::string bytes =
+            HandMade().size(1, 1, 32, 3).entry(254, 4, kind).data(small).bytes(1, 8, true);
+        bytes.resize((bytes.size() + 1) & ~std::size_t{1});
+        bytes += HandMade()
+                     .size(2, 2, 32, 3)
+                     .entry(254, 4, last)
+                     .data(whole)
+                     .page(static_cast<std::uint32_t>(bytes.size()), false);
+        return readTiff(writtenFile(ownFolder() / "pages.tif", bytes));
+    };
+    for (const int kind : {1, 4}) {
+        const CollectedRemarks remarks;
+        const RadianceImage image = read(kind, 0);
+        EXPECT_EQ(image.channels.size(), 1U);
+        EXPECT_EQ(image.primary().values, whole);
+        EXPECT_THAT(testing::PrintToString(remarks.sentences()),
+                    HasSubstr("leaves out page 1 (a reduced copy or a mask)"));
+    }
+    // Where there are copies alone, the first is read.
+    EXPECT_EQ(read(1, 1).primary().values, small);
+}
+
 TEST(TiffFile, FollowsTheOrientation) {
     const std::vector<float> stored = {1, 2, 3, 4, 5, 6};
     const std::pair<std::uint32_t, std::vector<float>> rows[] = {{1, {1, 2, 3, 4, 5, 6}},

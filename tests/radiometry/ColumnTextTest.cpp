@@ -24,6 +24,8 @@ TEST(ColumnText, FindsSeparatorAndDecimalSignFromTheWholeText) {
         {"semicolons", "1.5;2\n", ';', '.'},
         {"whole numbers between semicolons", "1;2\n3;4\n", ';', '.'},
         {"a comma in the last row alone", "a;b\n1;2\n3;4\n5;6,5\n", ';', ','},
+        {"vertical bars", "1.5|2\n", '|', '.'},
+        {"vertical bars and commas", "a|b\n1|2,5\n", '|', ','},
         {"semicolons and commas", "12,500;12,750\n", ';', ','},
         {"tabs", "1\t2\n", '\t', '.'},
         {"tabs and commas", "12,500\t12,750\n", '\t', ','},
@@ -73,18 +75,32 @@ TEST(ColumnText, TakesNumbersOfOneDialectAlone) {
         const char* text;
         char decimal;
         const char* plain; ///< null: no number
-    } rows[] = {{"1", '.', "1"},           {"1,5", ',', "1.5"},
-                {"1.5", ',', nullptr},     {"1,5", '.', nullptr},
-                {"-1.5e3", '.', "-1.5e3"}, {"1,5D+01", ',', "1.5e01"},
-                {"2.5d-1", '.', "2.5e-1"}, {"1.2-103", '.', "1.2e-103"},
-                {"12-103", '.', nullptr},  {"3-5", '.', nullptr},
-                {"+4", '.', "+4"},         {"4.", '.', "4."},
-                {"4,", ',', nullptr},      {".5", '.', ".5"},
-                {",5", ',', ".5"},         {"nan", '.', "nan"},
-                {"-Inf", ',', "-Inf"},     {"1,234,5", ',', nullptr},
-                {"1.234,5", ',', nullptr}, {"0x10", '.', nullptr},
-                {"", '.', nullptr},        {"-", '.', nullptr},
-                {"1e", '.', nullptr},      {"2020-01-02", '.', nullptr}};
+    } rows[] = {{"1", '.', "1"},
+                {"1,5", ',', "1.5"},
+                {"1.5", ',', nullptr},
+                {"1,5", '.', nullptr},
+                {"-1.5e3", '.', "-1.5e3"},
+                {"1,5D+01", ',', "1.5e01"},
+                {"2.5d-1", '.', "2.5e-1"},
+                {"1.2-103", '.', "1.2e-103"},
+                {"12-103", '.', nullptr},
+                {"3-5", '.', nullptr},
+                {"+4", '.', "+4"},
+                {"4.", '.', "4."},
+                {"4,", ',', nullptr},
+                {".5", '.', ".5"},
+                {",5", ',', ".5"},
+                {"nan", '.', "nan"},
+                {"-Inf", ',', "-Inf"},
+                {"1,234,5", ',', nullptr},
+                {"1.234,5", ',', nullptr},
+                {"0x10", '.', nullptr},
+                {"", '.', nullptr},
+                {"-", '.', nullptr},
+                {"1e", '.', nullptr},
+                {"2020-01-02", '.', nullptr},
+                {"\u22121,5", ',', "-1.5"},
+                {"\u2212", '.', nullptr}};
     for (const auto& row : rows) {
         const auto plain = plainNumber(row.text, row.decimal);
         EXPECT_EQ(plain.value_or("none"), row.plain == nullptr ? "none" : row.plain) << row.text;

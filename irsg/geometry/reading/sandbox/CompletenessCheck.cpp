@@ -147,6 +147,8 @@ void checkObjects(std::string_view text, Remarks& remarks) {
     long open = 0;            ///< objects whose last line, "kids", has not come
     std::vector<double> kids; ///< of the objects around a place: those that have not come
     long lights = 0, subdivided = 0, hidden = 0;
+    long beyond = 0; ///< objects behind the last that is counted
+    bool wasAny = false, isBeyond = false;
     std::size_t at = 0, lastCount = 0;
     const auto line = [&] {
         const std::size_t begin = at;
@@ -155,11 +157,12 @@ void checkObjects(std::string_view text, Remarks& remarks) {
     };
     while (at < text.size()) {
         const std::size_t begin = at;
-        const std::string_view whole = line();
-        const auto space = whole.find(' ');
+        std::string_view whole = line();
+        whole.remove_prefix(std::min(whole.find_first_not_of(" \t"), whole.size()));
+        const auto space = whole.find_first_of(" \t");
         const std::string_view word = whole.substr(0, std::min(space, whole.find_first_of("\r\n")));
         std::string_view rest = space == whole.npos ? "" : whole.substr(space);
-        rest = rest.substr(std::min(rest.find_first_not_of(' '), rest.size()));
+        rest = rest.substr(std::min(rest.find_first_not_of(" \t"), rest.size()));
         rest = rest.substr(0, rest.find_first_of(" \t\r\n"));
         const double count = parseNumber(rest).value_or(0.0);
         if (word == "OBJECT") {
@@ -167,6 +170,9 @@ void checkObjects(std::string_view text, Remarks& remarks) {
                 kids.pop_back();
             if (!kids.empty())
                 kids.back() -= 1.0;
+            isBeyond = isBeyond || (kids.empty() && wasAny);
+            beyond += isBeyond ? 1 : 0;
+            wasAny = true;
             objects -= 1.0;
             ++open;
             lastCount = begin;
@@ -207,9 +213,12 @@ void checkObjects(std::string_view text, Remarks& remarks) {
     say(lights, " objects of kind light are left out");
     say(subdivided, " objects are subdivided where they are shown (subdiv): they are read as the "
                     "file has them");
+    say(beyond, " objects stand behind the last that the file counts (kids) and are left out");
     say(hidden, " objects are hidden and are read nevertheless");
-    const std::string_view last = text.substr(lastCount);
-    const bool endsWhole = open == 0 && surfaces <= 0.0 && last.starts_with("kids ") &&
+    std::string_view last = text.substr(lastCount);
+    last.remove_prefix(std::min(last.find_first_not_of(" \t"), last.size()));
+    const bool endsWhole = open == 0 && surfaces <= 0.0 &&
+                           (last.starts_with("kids ") || last.starts_with("kids\t")) &&
                            last.find_first_of("0123456789") != last.npos &&
                            last.find_first_not_of(" \t\n", last.find('\n')) == last.npos;
     if (endsWhole && objects > 0.0)

@@ -38,7 +38,7 @@ bool DxfPairs::next() {
 }
 
 double DxfPairs::number() const {
-    const auto number = parseNumber(value_);
+    const auto number = modelNumber(value_);
     if (!number)
         refuse(quoted(value_), "a finite number");
     return *number;

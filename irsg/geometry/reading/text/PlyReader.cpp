@@ -55,9 +55,12 @@ class Numbers {
         double value = 0.0;
         const char* const first = text.data() + (text.front() == '+' ? 1 : 0);
         const auto [stop, error] = std::from_chars(first, text.data() + text.size(), value);
-        if (error != std::errc{} || stop != text.data() + text.size())
+        if (error == std::errc{} && stop == text.data() + text.size())
+            return value;
+        const auto number = modelNumber(text);
+        if (!number)
             refuse(quoted(text), "a number");
-        return value;
+        return *number;
     }
     static bool isBlank(char c) {
         return c == ' ' || c == '\n' || c == '\t' || c == '\v' || c == '\f';

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "irsg/core/ColumnText.h"
 #include "irsg/core/CsvTable.h"
 
 namespace irsg {
@@ -64,7 +65,7 @@ bool TextWords::numbers(std::size_t from, std::size_t count, double* into,
         return false;
     }
     for (std::size_t i = 0; i < count; ++i) {
-        const auto number = parseNumber(words_[from + i]);
+        const auto number = modelNumber(words_[from + i]);
         if (!number) {
             diagnostics.push_back(diagnostic(quoted(words_[from + i]), "a finite number"));
             return false;
@@ -72,6 +73,14 @@ bool TextWords::numbers(std::size_t from, std::size_t count, double* into,
         into[i] = *number;
     }
     return true;
+}
+
+std::optional<double> modelNumber(std::string_view word) {
+    const auto number = parseNumber(word);
+    if (number || word.find_first_of("dD") == word.npos)
+        return number;
+    const auto plain = plainNumber(word, '.');
+    return plain ? parseNumber(*plain) : std::nullopt;
 }
 
 std::string quoted(std::string_view word) {

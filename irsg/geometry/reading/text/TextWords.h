@@ -39,6 +39,10 @@ class TextWords {
     std::size_t at_ = 0, line_ = 0, breaks_ = 0;
 };
 
+/// The finite number that a word of a text model is, with an exponent of Fortran as well
+/// (`1.5D+02`).
+std::optional<double> modelNumber(std::string_view word);
+
 /// The first part of a word from a file, for messages.
 std::string quoted(std::string_view word);
 
