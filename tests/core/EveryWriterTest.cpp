@@ -11,6 +11,7 @@
 #include "tests/core/Writers.h"
 #include "tests/support/EveryCall.h"
 #include "tests/support/TemporaryFolder.h"
+#include "tests/support/WalkedReaders.h"
 
 namespace smat::test {
 
@@ -160,6 +161,11 @@ TEST_P(AWayOfWriting, LeavesTheOldFileOrTheNewOneWhateverHappensAtAnyCall) {
 
 INSTANTIATE_TEST_SUITE_P(All, AWayOfWriting, testing::ValuesIn(waysOfWriting()),
                          [](const auto& writer) { return std::string(writer.param.name); });
+
+TEST(WalkedReaders, WritersAreAsManyAsThePageHas) {
+    expectWalked("a kill or a failing call while a file is written",
+                 waysOfWriting().size() + otherWriters().size());
+}
 
 class AnotherWriter : public EveryWriter {};
 

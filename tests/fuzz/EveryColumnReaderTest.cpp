@@ -25,6 +25,7 @@
 #include "smatcore/simulate/Trajectory.h"
 #include "tests/fuzz/SeedTexts.h"
 #include "tests/support/TemporaryFolder.h"
+#include "tests/support/WalkedReaders.h"
 
 namespace smat {
 namespace {
@@ -156,6 +157,9 @@ const std::vector<Form>& forms() {
         {"tabs", as({.separator = "\t"}), "tabs"},
         {"tabs and decimal commas", as({.separator = "\t", .hasDecimalCommas = true}),
          "tabs, decimal commas"},
+        {"vertical bars", as({.separator = "|"}), "vertical bars"},
+        {"vertical bars and decimal commas", as({.separator = " | ", .hasDecimalCommas = true}),
+         "vertical bars, decimal commas"},
         {"blanks", as({.separator = "  "}), "blanks"},
         {"blanks and decimal commas", as({.separator = " ", .hasDecimalCommas = true}),
          "blanks, decimal commas"},
@@ -348,6 +352,12 @@ TEST_P(EveryColumnReader, RefusesNumbersOfTwoDecimalSignsByLineAndValue) {
     } catch (const irsg::InputError& error) {
         EXPECT_THAT(error.what(), HasSubstr("line " + std::to_string(line)));
     }
+}
+
+TEST(WalkedReaders, OfColumnsAreAsManyAsThePageHas) {
+    test::expectWalked("separators, decimal signs, quotes, exponents, head lines",
+                       readers().size());
+    test::expectWalked("forms of columns that each of them reads", forms().size());
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, EveryColumnReader, testing::ValuesIn(readers()), [](const auto& row) {

@@ -1,8 +1,12 @@
+#include <filesystem>
 #include <random>
+#include <string>
 
 #include <gtest/gtest.h>
 
+#include "irsg/core/FileReading.h"
 #include "tests/fuzz/Readers.h"
+#include "tests/support/WalkedReaders.h"
 
 namespace smat::test {
 
@@ -65,6 +69,26 @@ TEST_P(ShortRun, GivesAnAnswerOrASentence) {
         } catch (const std::exception& error) {
             FAIL() << error.what() << " over " << testing::PrintToString(bytes.substr(0, 2000));
         }
+    }
+}
+
+TEST(WalkedReaders, OfDamagedBytesAreAsManyAsThePageHas) {
+    expectWalked("damaged bytes", fuzzedReaders().size());
+}
+
+TEST(WalkedReaders, EachRowIsComparedByATest) {
+    namespace fs = std::filesystem;
+    std::string sources;
+    for (const auto& entry :
+         fs::recursive_directory_iterator(fs::path(SMAT_SOURCE_DIR) / "tests")) {
+        if (entry.path().extension() == ".cpp") {
+            sources += irsg::readFile(entry.path());
+        }
+    }
+    const std::vector<std::string> kinds = walkedKinds();
+    EXPECT_FALSE(kinds.empty());
+    for (const std::string& kind : kinds) {
+        EXPECT_NE(sources.find("expectWalked(\"" + kind + "\""), sources.npos) << kind;
     }
 }
 

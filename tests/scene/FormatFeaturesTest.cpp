@@ -11,6 +11,7 @@
 #include "irsg/geometry/model/Model.h"
 #include "tests/support/FormatFeatures.h"
 #include "tests/support/TemporaryFolder.h"
+#include "tests/support/WalkedReaders.h"
 
 namespace irsg::test {
 namespace {
@@ -71,6 +72,10 @@ std::string rowOf(const FormatFeature& feature, const Read& read) {
                                     ? "without effect on surfaces"
                                     : "followed";
     return "| " + feature.feature + " | " + happens + " |\n";
+}
+
+TEST(WalkedReaders, FeaturesAreAsManyAsThePageHas) {
+    smat::test::expectWalked("features of a specification without an answer", allFeatures().size());
 }
 
 TEST(FormatFeatures, AreFollowedRemarkedOrRefusedAsThePageSays) {

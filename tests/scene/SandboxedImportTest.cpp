@@ -33,6 +33,7 @@
 #include "tests/support/QuietListener.h"
 #include "tests/support/Refusal.h"
 #include "tests/support/SharedMaterial.h"
+#include "tests/support/WalkedReaders.h"
 
 using namespace irsg;
 using namespace irsg::test;
@@ -448,6 +449,7 @@ TEST(SandboxedImport, RefusesLevelsWithoutEndBeforeAReaderOfOthersSeesThem) {
         {"a.osgx",
          "<?xml version=\"1.0\"?>\n" + repeated("<a>", levels) + repeated("</a>", levels)},
         {"a.ac", "AC3Db\n" + repeated("OBJECT group\nkids 1\n", levels)}};
+    smat::test::expectWalked("levels in each other without end", deep.size());
     for (const auto& [name, text] : deep) {
         EXPECT_THAT(refusalOf([&] { checkCompleteness(folder.write(name, text), name); }),
                     HasSubstr("levels in each other"))

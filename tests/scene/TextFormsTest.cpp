@@ -1,6 +1,8 @@
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <functional>
+#include <map>
 #include <sstream>
 
 #include <gmock/gmock.h>
@@ -16,6 +18,7 @@
 #include "tests/support/Refusal.h"
 #include "tests/support/TemporaryFolder.h"
 #include "tests/support/TwoPlates.h"
+#include "tests/support/WalkedReaders.h"
 
 using namespace irsg;
 using namespace irsg::test;
@@ -115,11 +118,51 @@ TEST(TextForms, AreAlikeInEveryFormat) {
     }
 }
 
+TEST(WalkedReaders, OfTextsAreAsManyAsThePageHas) {
+    using smat::test::expectWalked;
+    expectWalked("marks of byte order, encodings and line ends of models", twoPlates().size());
+    expectWalked("encodings and line ends that each of them has", forms.size());
+}
+
 TEST(TextForms, AreThoseOfAllFormatsThatHaveATextForm) {
     // Models that are numbers alone have no such row.
     for (const FileFormat& format : formatsOf(FileKind::model)) {
         EXPECT_EQ(hasTextForm(format.extension), twoPlates().contains(format.extension))
             << format.extension;
+    }
+}
+
+TEST(TextForms, HaveExponentsAsFortranWritesThemInOurOwnFormats) {
+    // All that is 1 in a triangle with sides of 1, 1 and the root of 2.
+    const std::map<std::string, std::string> triangles = {
+        {"obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"},
+        {"stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+                "vertex 0 1 0\nendloop\nendfacet\nendsolid a\n"},
+        {"ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                "property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
+                "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"},
+        {"dxf", "0\nSECTION\n2\nENTITIES\n0\n3DFACE\n8\na\n10\n0\n20\n0\n30\n0\n11\n1\n21\n0\n"
+                "31\n0\n12\n0\n22\n1\n32\n0\n13\n0\n23\n1\n33\n0\n0\nENDSEC\n0\nEOF\n"}};
+    const std::map<std::string, std::array<const char*, 2>> ones = {
+        {"obj", {"v 1 0", "v 0 1"}},
+        {"stl", {"vertex 1", "vertex 0 1"}},
+        {"ply", {"\n1 0 0", "\n0 1 0"}},
+        {"dxf", {"11\n1", "22\n1"}}};
+    smat::test::expectWalked("exponents as Fortran writes them in models", triangles.size());
+    for (const auto& [extension, text] : triangles) {
+        std::string changed = text;
+        for (const std::string one : ones.at(extension)) {
+            std::string other = one;
+            other.replace(other.rfind('1'), 1, "0.1D+01");
+            ASSERT_NE(changed.find(one), changed.npos);
+            changed.replace(changed.find(one), one.size(), other);
+        }
+        EXPECT_NEAR(areaOf(extension, changed), 0.5, 1e-6) << changed;
+        const fs::path bad = ownFolder() / ("bad." + extension);
+        std::string wrong = changed;
+        wrong.replace(wrong.find("0.1D+01"), 7, "0.1D1D1");
+        writtenFile(bad, wrong);
+        EXPECT_THAT(refusalOf([&] { Model::load(bad); }), HasSubstr("0.1D1D1"));
     }
 }
 
@@ -307,6 +350,27 @@ TEST(Refusals, OfModelsWithoutFacesSayWhatWasLeftOut) {
                                                "1\n0\n3DSOLID\n8\n0\n0\nENDSEC\n0\nEOF\n");
     EXPECT_THAT(refusalOf([&] { Model::load(lines); }),
                 AllOf(HasSubstr("1 LINE have no faces"), HasSubstr("1 3DSOLID are left out")));
+}
+
+TEST(Ac3d, SaysWhatStandsBehindTheLastObjectThatIsCounted) {
+    std::string text = twoPlates().at("ac");
+    const double whole_m2 = areaOf("ac", text);
+    text.replace(text.find("kids 2"), 6, "kids 1");
+    const auto model = Model::load(writtenFile(ownFolder() / "a.ac", text));
+    EXPECT_THAT(model->remarks(),
+                Contains(HasSubstr("1 objects stand behind the last that the file counts")));
+    EXPECT_LT(areaOf("ac", text), 0.9 * whole_m2);
+}
+
+TEST(Ac3d, TakesTabsForBlanksAndLinesThatAreIndented) {
+    std::string text = twoPlates().at("ac");
+    for (std::size_t at = 0; (at = text.find("kids ", at)) != text.npos; at += 7) {
+        text.replace(at, 5, " \tkids\t");
+    }
+    for (std::size_t at = 0; (at = text.find("refs ", at)) != text.npos; at += 5) {
+        text[at + 4] = '\t';
+    }
+    EXPECT_NEAR(areaOf("ac", text), 5.0, 1e-5);
 }
 
 TEST(Ac3d, ReadsAFileThatCountsMoreObjectsThanItHas) {
