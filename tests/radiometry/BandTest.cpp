@@ -207,6 +207,15 @@ TEST(BandCsv, NamesEveryDiagnosticAtOnce) {
     }
 }
 
+TEST(BandCsv, ShowsBytesThatAreNotUtf8AsLatin1) {
+    try {
+        bandOf("Wellenl\xE4nge,response\n3,0\n4,1\n5,0\n");
+        FAIL() << "accepted";
+    } catch (const InputError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("Wellenl\u00e4nge"));
+    }
+}
+
 TEST_P(BandTextRefuses, AndSaysHowABandIsWritten) {
     try {
         Band::fromText(GetParam().text);

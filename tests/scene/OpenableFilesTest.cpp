@@ -323,6 +323,8 @@ TEST_F(OpenedFiles, OfOpenFlightAreScannedWhereASceneRefersToThem) {
         folder.write("a.flt", sound.substr(0, sound.size() - 6));
         const auto cut = loadGraph(file, LoadPurpose::infrared);
         EXPECT_THAT(cut.remarks, Contains(AllOf(HasSubstr("a.flt"), HasSubstr("byte")))) << kind;
+        EXPECT_THAT(cut.remarks, testing::Not(Contains(HasSubstr("missing"))))
+            << "it is there: " << kind;
         EXPECT_EQ(polygonCounts(*cut.node).size(), 1u) << "what is damaged is left out: " << kind;
     }
 }

@@ -1,5 +1,7 @@
 #include "irsg/geometry/reading/sandbox/PluginReading.h"
 
+#include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -128,18 +130,26 @@ LoadedGraph readModelHere(const fs::path& place, const fs::path& file) {
     }
     loaded.remarks = counted;
     addNotices(loaded.remarks, lines);
-    for (auto& refused : guard.take())
-        loaded.remarks.push_back(std::move(refused));
+    const std::vector<std::string> refusals = guard.take();
+    loaded.remarks.insert(loaded.remarks.end(), refusals.begin(), refusals.end());
     for (auto& removed : removeLateReaders(*loaded.node))
         loaded.remarks.push_back(std::move(removed));
 
+    // What is there and was refused has its remark, which names it: it is not missing.
+    const auto isRefused = [&](const std::string& name) {
+        return std::ranges::any_of(refusals, [&](const std::string& refusal) {
+            return refusal.find(fs::path(name).filename().string()) != refusal.npos;
+        });
+    };
     for (const auto& proxy : proxiesOf(*loaded.node))
         for (unsigned int i = 0; i < proxy->getNumFileNames(); ++i)
-            loaded.remarks.push_back("refers to " + proxy->getFileName(i) +
-                                     (i >= proxy->getNumChildren() ? ", which is missing"
-                                      : modelReaderOf(proxy->getFileName(i)) == FormatReader::plugin
-                                          ? ", which is read without being validated"
-                                          : ", which is read as well"));
+            if (i < proxy->getNumChildren() || !isRefused(proxy->getFileName(i)))
+                loaded.remarks.push_back(
+                    "refers to " + proxy->getFileName(i) +
+                    (i >= proxy->getNumChildren() ? ", which is missing"
+                     : modelReaderOf(proxy->getFileName(i)) == FormatReader::plugin
+                         ? ", which is read without being validated"
+                         : ", which is read as well"));
     if (dynamic_cast<osg::ProxyNode*>(loaded.node.get())) {
         osg::ref_ptr<osg::Group> root = new osg::Group;
         root->addChild(loaded.node);
