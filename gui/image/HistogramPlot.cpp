@@ -1,15 +1,20 @@
 #include "gui/image/HistogramPlot.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include <QApplication>
 #include <QEvent>
+#include <QFontMetricsF>
 #include <QPen>
 #include <QwtPlotCanvas>
 #include <QwtPlotHistogram>
 #include <QwtPlotLayout>
 #include <QwtPlotMarker>
+#include <QwtScaleDraw>
 #include <QwtScaleEngine>
+#include <QwtScaleMap>
 
 #include "gui/plot/PlotLook.h"
 #include "gui/widgets/Theme.h"
@@ -74,13 +79,60 @@ void HistogramPlot::draw() {
         setAxisScaleEngine(xBottom, new ReadableLogScale);
     else
         setAxisScaleEngine(xBottom, new QwtLinearScaleEngine);
-    if (!histogram_.edges.empty())
-        setAxisScale(xBottom, histogram_.edges.front(), histogram_.edges.back());
     setAxisMaxMajor(yLeft, 4);
-    setAxisMaxMajor(xBottom, 6);
     const auto style = PlotStyle::screen(QApplication::palette());
     setAxisTitle(xBottom, axisText(title_, style));
     setAxisTitle(yLeft, axisText(tr("pixels"), style));
+    fitTicks();
+    replot();
+}
+
+void HistogramPlot::fitTicks() {
+    if (histogram_.edges.empty())
+        return;
+    constexpr int mostMajor = 6, mostMinor = 5;
+    const double low = histogram_.edges.front(), high = histogram_.edges.back();
+    const QwtScaleEngine* engine = axisScaleEngine(xBottom);
+    QwtScaleDiv division = engine->divideScale(low, high, mostMajor, mostMinor);
+    const QFont font = axisFont(xBottom);
+    const double gap_px = QFontMetricsF(font).averageCharWidth();
+    QwtScaleMap map;
+    map.setTransformation(engine->transformation());
+    map.setScaleInterval(low, high);
+    map.setPaintInterval(0.0, std::max(canvas()->contentsRect().width(), 1));
+    const auto overlap = [&](const QList<double>& ticks) {
+        double end_px = -std::numeric_limits<double>::infinity();
+        return std::ranges::any_of(ticks, [&](double tick) {
+            const double half_px = 0.5 * axisScaleDraw(xBottom)->label(tick).textSize(font).width();
+            const double at_px = map.transform(tick);
+            const bool isOver = at_px - half_px < end_px + gap_px;
+            end_px = at_px + half_px;
+            return isOver;
+        });
+    };
+    const auto isDecade = [](double tick) {
+        const double exponent = std::log10(std::abs(tick));
+        return std::abs(exponent - std::round(exponent)) < 1e-9;
+    };
+    QList<double> major = division.ticks(QwtScaleDiv::MajorTick);
+    QList<double> minor = division.ticks(QwtScaleDiv::MinorTick);
+    while (major.size() > 1 && overlap(major)) {
+        // Decades first; of equals every second one.
+        const bool mixed = histogram_.logarithmic && std::ranges::count_if(major, isDecade) > 1 &&
+                           !std::ranges::all_of(major, isDecade);
+        QList<double> fewer;
+        for (qsizetype i = 0; i < major.size(); ++i)
+            (mixed ? isDecade(major[i]) : i % 2 == 0) ? fewer << major[i] : minor << major[i];
+        major = fewer;
+    }
+    division.setTicks(QwtScaleDiv::MajorTick, major);
+    division.setTicks(QwtScaleDiv::MinorTick, minor);
+    setAxisScaleDiv(xBottom, division);
+}
+
+void HistogramPlot::resizeEvent(QResizeEvent* event) {
+    QwtPlot::resizeEvent(event);
+    fitTicks();
     replot();
 }
 

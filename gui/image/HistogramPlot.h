@@ -30,10 +30,13 @@ class HistogramPlot : public QwtPlot {
 
   protected:
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
   private:
     void draw();
     void dress();
+    /// As many numbers below the values as stand beside each other in the width that there is.
+    void fitTicks();
 
     irsg::Histogram histogram_;
     QString title_;

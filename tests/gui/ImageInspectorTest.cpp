@@ -2,6 +2,9 @@
 #include "gui/image/ImageInspector.h"
 
 #include <QLabel>
+#include <QwtScaleDiv>
+#include <QwtScaleDraw>
+#include <QwtScaleMap>
 #include <QwtText>
 
 #include "gui/image/FiguresTable.h"
@@ -49,6 +52,40 @@ TEST_F(ImageViewTest, HistogramAndTableFollowTheRectangle) {
     EXPECT_TRUE(view.inspector()->table()->allText().contains("Mean\t1.08333\t2\n"))
         << view.inspector()->table()->allText().toStdString();
     test::keepScreenshot(view, "image-view-histogram");
+}
+
+TEST(HistogramPlot, NumbersBesideEachOtherDoNotRunIntoEachOther) {
+    // As with the sun in the picture: six digits, or thirty decades.
+    const struct {
+        double low, high;
+        bool logarithmic;
+    } rows[] = {{0.0, 2.4e6, false}, {0.02, 6.1e6, true}, {3.1, 4.2e3, true}, {1e-20, 1e10, true}};
+    HistogramPlot plot;
+    plot.show();
+    for (const int width : {200, 260, 420, 900}) {
+        plot.resize(width, 160);
+        for (const auto& row : rows) {
+            irsg::Histogram histogram;
+            histogram.logarithmic = row.logarithmic;
+            histogram.edges = {row.low, row.high};
+            histogram.counts = {7};
+            plot.setHistogram(histogram, "Radiance");
+            const auto ticks = plot.axisScaleDiv(QwtPlot::xBottom).ticks(QwtScaleDiv::MajorTick);
+            EXPECT_GE(ticks.size(), 1) << width << " px to " << row.high;
+            const QFont font = plot.axisFont(QwtPlot::xBottom);
+            for (qsizetype i = 1; i < ticks.size(); ++i) {
+                const auto half = [&](double tick) {
+                    return 0.5 *
+                           plot.axisScaleDraw(QwtPlot::xBottom)->label(tick).textSize(font).width();
+                };
+                const auto at = [&](double tick) {
+                    return plot.canvasMap(QwtPlot::xBottom).transform(tick);
+                };
+                EXPECT_LT(at(ticks[i - 1]) + half(ticks[i - 1]), at(ticks[i]) - half(ticks[i]))
+                    << width << " px to " << row.high << ", number " << i;
+            }
+        }
+    }
 }
 
 TEST(FiguresTable, NamesOfANarrowTableWrapAndNumbersStayWhole) {
