@@ -3,12 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <memory>
 #include <random>
 #include <vector>
 
 #include "irsg/radiance/exchange/ExchangeNodes.h"
+#include "irsg/radiance/exchange/SurfaceWays.h"
 #include "irsg/radiometry/Units.h"
+#include "irsg/render/rays/RayVectors.h"
 #include "tests/support/RaysTest.h"
 #include "tests/support/RevolvedMeshes.h"
 
@@ -138,6 +142,67 @@ TEST(FacetDivisionTest, AWallIsBetweenPlacesOnItsTwoSidesAndNotBeyondItsEnd) {
     EXPECT_TRUE(division.isBetween(division.cellOf(left), left, right));
     EXPECT_TRUE(division.isBetween(division.cellOf(right), left, right));
     EXPECT_FALSE(division.isBetween(division.cellOf(leftBeyond), leftBeyond, rightBeyond));
+}
+
+/// The vertices about one as SurfaceWays finds them, by the length of each way found by giving it
+/// on from vertex to vertex until nothing changes.
+std::map<std::size_t, double> aboutByPatience(const ExchangeMesh& mesh, std::size_t from,
+                                              double most_m) {
+    const auto& vertices = mesh.vertices();
+    std::vector<double> ways_m(vertices.size(), std::numeric_limits<double>::infinity());
+    ways_m[from] = 0.0;
+    for (bool isChanged = true; isChanged;) {
+        isChanged = false;
+        for (std::uint32_t v = 0; v < vertices.size(); ++v) {
+            for (const std::uint32_t next : mesh.beside(v)) {
+                const double way_m =
+                    ways_m[v] + plainLength(vertices[next].at_m - vertices[v].at_m);
+                if (way_m < ways_m[next]) {
+                    ways_m[next] = way_m;
+                    isChanged = true;
+                }
+            }
+        }
+    }
+    std::map<std::size_t, double> found;
+    for (std::size_t v = 0; v < vertices.size(); ++v) {
+        const double apart_m = length(vertices[v].at_m - vertices[from].at_m);
+        if (vertices[v].piece == vertices[from].piece && apart_m < most_m &&
+            ways_m[v] <= std::min(2.5 * apart_m, 1.5 * most_m)) {
+            found[v] = apart_m;
+        }
+    }
+    return found;
+}
+
+TEST_F(ExchangeMeshTest, FindsAllVerticesAboutOneByTheShortestWays) {
+    // A ball, a plate of fine and long triangles with a fence on it, and a fence.
+    Triangles fenced = fence(0.7, 0.4);
+    for (int x = -10; x < 10; ++x) {
+        for (int y = -2; y < 2; ++y) {
+            fenced = joined(fenced, plateMesh({0.1 * x + 0.05, 0.5 * y + 0.25, 0}, {0.05, 0, 0},
+                                              {0, 0.25, 0}, {1, 1}));
+        }
+    }
+    for (const Triangles& triangles :
+         {sphereOfEqualArea(1.0, 24, {1, 1}), fenced, fence(1.0, 1.0)}) {
+        const auto mesh = meshOf(triangles);
+        ASSERT_EQ(mesh->rays().pieces(), 1U);
+        SurfaceWays ways(*mesh, 0, mesh->vertices().size());
+        std::size_t most = 0;
+        for (std::size_t from = 0; from < mesh->vertices().size();
+             from += 1 + mesh->vertices().size() / 7) {
+            for (const double most_m : {0.0, 0.01, 0.15, 0.6, 5.0}) {
+                std::map<std::size_t, double> found;
+                ways.forEachAbout(from, most_m, [&](std::size_t at, double apart_m) {
+                    EXPECT_TRUE(found.emplace(at, apart_m).second) << "twice";
+                });
+                EXPECT_EQ(found, aboutByPatience(*mesh, from, most_m)) << from << ' ' << most_m;
+                most = std::max(most, found.size());
+            }
+        }
+        EXPECT_GT(most, 4U);
+    }
 }
 
 TEST_F(ExchangeMeshTest, TheGroundInsideAFenceIsASurfaceOfItsOwn) {

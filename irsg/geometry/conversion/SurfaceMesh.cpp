@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -50,15 +51,21 @@ void trim(std::vector<Element>& array) {
 
 } // namespace
 
-void SurfaceMesh::VertexTable::grow(const Part& part) {
-    slots_.assign(std::max<std::size_t>(1024, 2 * slots_.size()), 0);
-    const std::size_t mask = slots_.size() - 1;
-    for (std::size_t i = 0; i < part.vertices.size(); ++i) {
-        std::size_t slot = hashOf(part.vertices[i], part.normals[i], part.colourOf[i]) & mask;
-        while (slots_[slot] != 0)
-            slot = (slot + 1) & mask;
-        slots_[slot] = static_cast<unsigned int>(i) + 1;
-    }
+void SurfaceMesh::VertexTable::grow() {
+    const std::vector<Slot> before =
+        std::exchange(slots_, std::vector<Slot>(std::max<std::size_t>(1024, 2 * slots_.size())));
+    shift_ = 32 - std::countr_zero(slots_.size());
+    // Slots follow their hashes, so that all are taken over from end to end.
+    for (const Slot& one : before)
+        if (one.number != 0)
+            slots_[freeFor(one.hash)] = one;
+}
+
+std::size_t SurfaceMesh::VertexTable::freeFor(std::uint32_t hash) const {
+    std::size_t slot = hash >> shift_;
+    while (slots_[slot].number != 0)
+        slot = (slot + 1) & (slots_.size() - 1);
+    return slot;
 }
 
 unsigned int SurfaceMesh::ColourNumbers::of(const osg::Vec4& colour) {
@@ -75,22 +82,22 @@ unsigned int SurfaceMesh::ColourNumbers::of(const osg::Vec4& colour) {
 unsigned int SurfaceMesh::VertexTable::index(Part& part, const PolygonCorner& corner,
                                              unsigned int colour) {
     if (2 * part.vertices.size() >= slots_.size())
-        grow(part);
+        grow();
     const Float3 p = withOneZero(corner.position), n = withOneZero(corner.normal);
-    const std::size_t mask = slots_.size() - 1;
-    std::size_t slot = hashOf(p, n, colour) & mask;
-    for (; slots_[slot] != 0; slot = (slot + 1) & mask) {
-        const unsigned int known = slots_[slot] - 1;
-        if (areSame(part.vertices[known], p) && areSame(part.normals[known], n) &&
-            part.colourOf[known] == colour)
+    const auto hash = static_cast<std::uint32_t>(hashOf(p, n, colour));
+    std::size_t slot = hash >> shift_;
+    for (; slots_[slot].number != 0; slot = (slot + 1) & (slots_.size() - 1)) {
+        const unsigned int known = slots_[slot].number - 1;
+        if (slots_[slot].hash == hash && areSame(part.vertices[known], p) &&
+            areSame(part.normals[known], n) && part.colourOf[known] == colour)
             return known;
     }
     part.vertices.push_back(p);
     part.normals.push_back(n);
     part.colourOf.push_back(colour);
     part.bounds.include(toVec3(p));
-    slots_[slot] = static_cast<unsigned int>(part.vertices.size());
-    return slots_[slot] - 1;
+    slots_[slot] = {static_cast<unsigned int>(part.vertices.size()), hash};
+    return slots_[slot].number - 1;
 }
 
 void SurfaceMesh::add(const Mesh::Kind& kind, std::vector<PolygonCorner>& corners) {

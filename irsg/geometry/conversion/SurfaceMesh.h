@@ -37,16 +37,23 @@ class SurfaceMesh {
     long folded() const { return folded_; } ///< polygons that cross themselves, drawn as a fan
 
   private:
-    /// The vertices of a part by what they are: their numbers in slots that a hash chooses, or the
-    /// next that is free. Besides the part's own arrays it takes 8 to 16 bytes a vertex.
+    /// The vertices of a part by what they are: their numbers in slots that the first bits of a
+    /// hash choose, or the next that is free. Besides the part's own arrays it takes 16 to 32 bytes
+    /// a vertex, which are those of a look at one place in memory.
     class VertexTable {
       public:
         /// The number of the vertex in the part, to whose arrays a new one is appended.
         unsigned int index(Part& part, const PolygonCorner& corner, unsigned int colour);
 
       private:
-        void grow(const Part& part);
-        std::vector<unsigned int> slots_; ///< number + 1, 0 where free; a power of two of them
+        struct Slot {
+            unsigned int number = 0; ///< and 1; 0 where free
+            std::uint32_t hash = 0;
+        };
+        void grow();
+        std::size_t freeFor(std::uint32_t hash) const;
+        std::vector<Slot> slots_; ///< a power of two of them
+        int shift_ = 0;           ///< of a hash, to its slot
     };
     /// Numbers of colours, of all bits: they may be no numbers.
     class ColourNumbers {

@@ -4,7 +4,6 @@
 #include <array>
 #include <atomic>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -13,6 +12,7 @@
 #include "irsg/core/Errors.h"
 #include "irsg/core/JoinedNumbers.h"
 #include "irsg/core/ParallelFor.h"
+#include "irsg/radiance/exchange/SurfaceWays.h"
 
 namespace irsg {
 
@@ -23,24 +23,15 @@ constexpr std::size_t mostShares = 3;
 constexpr double alike = 0.7, notUnlike = 0.5;
 /// How far a node's part reaches, as a multiple of how far apart nodes are.
 constexpr double reach = 1.5;
-/// How much longer the way along the edges of cells may be than the straight line: one around a
-/// wall is longer.
-constexpr double mostRoundabout = 2.5;
-/// The same of ways that are looked for at all, of the longest straight line.
-constexpr double detour = 1.5;
 /// Area of a surface that is no more than a detail, of the square of how far nodes are apart.
 constexpr double smallSurface = 0.5;
 
 /// Finds vertices by where they are.
 class Neighbourhood {
   public:
-    /// Places among the vertices of a list; of those no farther away than `width_m`.
-    Neighbourhood(const std::vector<std::uint32_t>& vertices, const ExchangeMesh& mesh,
-                  double width_m)
-        : width_m_(width_m) {
-        for (std::size_t i = 0; i < vertices.size(); ++i)
-            boxes_[boxOf(mesh.vertices()[vertices[i]].at_m)].push_back(i);
-    }
+    /// Finds those no farther away than `width_m`.
+    explicit Neighbourhood(double width_m) : width_m_(width_m) {}
+    void add(std::size_t place, const Vec3& at_m) { boxes_[boxOf(at_m)].push_back(place); }
     /// Calls visit(place) for all of them, and some that are farther away.
     template <typename Visit>
     void forEachAbout(const Vec3& at_m, Visit visit) const {
@@ -106,66 +97,15 @@ struct ExchangeNodes::FewNodes {
 
 /// Nodes of one piece: a node never stands for two, which may be of different materials.
 struct ExchangeNodes::OfPiece {
-    std::vector<std::uint32_t> vertices;
-    const std::vector<std::uint32_t>* placeOf = nullptr; ///< by vertex of the mesh: among these
-    std::vector<double> apart_m;                         ///< by vertex: how far nodes may be
-    std::vector<std::size_t> nodes;                      ///< places among the vertices
-    std::uint32_t firstNode = 0;                         ///< number of the first of them
+    std::uint32_t first = 0, count = 0;   ///< its vertices follow each other
+    std::vector<double> apart_m;          ///< by vertex: how far nodes may be
+    std::vector<std::size_t> nodes;       ///< places among the vertices
+    std::uint32_t firstNode = 0;          ///< number of the first of them
     std::size_t outside = 0;              ///< how many of them turn to no space inside
     std::vector<double> surface_m2;       ///< by vertex: of all that one can go to
     std::vector<std::uint32_t> coveredBy; ///< by vertex: among the nodes
     std::vector<FewNodes> shares;         ///< by vertex
-
-    /// Calls visit(place, distance_m) for the vertices that are nearer to one of them than `most_m`
-    /// along a straight line, and along the surface not much farther.
-    template <typename Visit>
-    void forEachAbout(std::size_t place, double most_m, const ExchangeMesh& mesh, Visit visit);
-    /// What forEachAbout holds until the next call.
-    void forgetWays() {
-        way_m_ = {};
-        turns_ = {};
-        turn_ = 0;
-    }
-
-  private:
-    std::vector<double> way_m_;        // by vertex, where it was visited in this turn
-    std::vector<std::uint32_t> turns_; // by vertex: the last one in which it was visited
-    std::uint32_t turn_ = 0;
-    std::vector<std::pair<double, std::size_t>> open_;
 };
-
-template <typename Visit>
-void ExchangeNodes::OfPiece::forEachAbout(std::size_t place, double most_m,
-                                          const ExchangeMesh& mesh, Visit visit) {
-    way_m_.resize(vertices.size());
-    turns_.resize(vertices.size());
-    ++turn_;
-    const Vec3& from_m = mesh.vertices()[vertices[place]].at_m;
-    open_.assign(1, {0.0, place});
-    way_m_[place] = 0.0;
-    turns_[place] = turn_;
-    while (!open_.empty()) {
-        std::ranges::pop_heap(open_, std::greater<>());
-        const auto [way_m, at] = open_.back();
-        open_.pop_back();
-        if (way_m > way_m_[at])
-            continue;
-        const Vec3& at_m = mesh.vertices()[vertices[at]].at_m;
-        const double apart_m = length(at_m - from_m);
-        if (apart_m < most_m && way_m <= mostRoundabout * apart_m)
-            visit(at, apart_m);
-        for (const std::uint32_t vertex : mesh.beside(vertices[at])) {
-            const std::size_t next = (*placeOf)[vertex];
-            const double there_m = way_m + length(mesh.vertices()[vertex].at_m - at_m);
-            if (there_m > detour * most_m || (turns_[next] == turn_ && there_m >= way_m_[next]))
-                continue;
-            turns_[next] = turn_;
-            way_m_[next] = there_m;
-            open_.emplace_back(there_m, next);
-            std::ranges::push_heap(open_, std::greater<>());
-        }
-    }
-}
 
 ExchangeNodes::ExchangeNodes(std::shared_ptr<const ExchangeMesh> mesh,
                              const ExchangeResolution& resolution)
@@ -203,23 +143,19 @@ void ExchangeNodes::findSmoothing() {
 void ExchangeNodes::placeNodes(const ExchangeResolution& resolution) {
     const std::vector<ExchangeMesh::Vertex>& vertices = mesh_->vertices();
     std::vector<OfPiece> pieces;
-    std::vector<std::uint32_t> placeOf(vertices.size());
     for (std::uint32_t v = 0; v < vertices.size(); ++v) {
         if (vertices[v].piece >= pieces.size())
             pieces.resize(vertices[v].piece + 1);
-        std::vector<std::uint32_t>& own = pieces[vertices[v].piece].vertices;
-        placeOf[v] = static_cast<std::uint32_t>(own.size());
-        own.push_back(v);
+        OfPiece& own = pieces[vertices[v].piece];
+        own.first = own.count == 0 ? v : own.first;
+        if (own.first + own.count++ != v)
+            throw LogicError("vertices of a piece that do not follow each other");
     }
-    for (OfPiece& piece : pieces)
-        piece.placeOf = &placeOf;
     {
         const std::vector<double> surfaces_m2 = surfacesOf_m2(*mesh_);
-        for (OfPiece& piece : pieces) {
-            piece.surface_m2.reserve(piece.vertices.size());
-            for (const std::uint32_t vertex : piece.vertices)
-                piece.surface_m2.push_back(surfaces_m2[vertex]);
-        }
+        for (OfPiece& piece : pieces)
+            piece.surface_m2.assign(surfaces_m2.begin() + piece.first,
+                                    surfaces_m2.begin() + piece.first + piece.count);
     }
     double area_m2 = 0.0;
     for (std::uint32_t cell = 0; cell < mesh_->cells(); ++cell)
@@ -281,9 +217,7 @@ void ExchangeNodes::takeShares(std::vector<OfPiece>& pieces) {
             OfPiece& piece = pieces[p];
             piece.firstNode = static_cast<std::uint32_t>(nodes());
             pieceOf_.insert(pieceOf_.end(), piece.nodes.size(), static_cast<std::uint32_t>(p));
-            for (std::size_t i = 0; i < piece.vertices.size(); ++i) {
-                if (piece.vertices[i] + 1 != firstShare_.size())
-                    throw LogicError("vertices of a piece that do not follow each other");
+            for (std::size_t i = 0; i < piece.count; ++i) {
                 const FewNodes& few = piece.shares[i];
                 double sum = 0.0;
                 for (std::size_t k = 0; k < few.count; ++k)
@@ -294,7 +228,6 @@ void ExchangeNodes::takeShares(std::vector<OfPiece>& pieces) {
                 firstShare_.push_back(static_cast<std::uint32_t>(shares_.size()));
             }
             piece.shares = {};
-            piece.forgetWays();
         }
     }
 }
@@ -305,7 +238,6 @@ bool ExchangeNodes::placeAll(std::vector<OfPiece>& pieces, const ExchangeMesh& m
     parallelFor(pieces.size(), [&](std::size_t p) {
         if (outside <= most)
             place(pieces[p], mesh, spacing, most);
-        pieces[p].forgetWays();
         outside += pieces[p].outside;
     });
     return outside <= most;
@@ -348,14 +280,14 @@ void ExchangeNodes::placeSenders(std::vector<OfPiece>& pieces, NodeSpacing spaci
 void ExchangeNodes::place(OfPiece& piece, const ExchangeMesh& mesh, const NodeSpacing& spacing,
                           std::size_t most) {
     const auto vertexAt = [&](std::size_t i) -> const ExchangeMesh::Vertex& {
-        return mesh.vertices()[piece.vertices[i]];
+        return mesh.vertices()[piece.first + i];
     };
     const auto sightAt = [&](std::size_t i) -> const ExchangeMesh::Sight& {
-        return mesh.sights()[piece.vertices[i]];
+        return mesh.sights()[piece.first + i];
     };
     piece.apart_m.clear();
-    piece.apart_m.reserve(piece.vertices.size());
-    for (std::size_t i = 0; i < piece.vertices.size(); ++i) {
+    piece.apart_m.reserve(piece.count);
+    for (std::size_t i = 0; i < piece.count; ++i) {
         const double darkness =
             spacing.spareDark ? 1.0 / std::max(static_cast<double>(sightAt(i).open), 0.25) : 1.0;
         const double least_m = std::min(darkness * spacing.least_m, spacing.longest_m);
@@ -365,14 +297,23 @@ void ExchangeNodes::place(OfPiece& piece, const ExchangeMesh& mesh, const NodeSp
     }
     piece.nodes.clear();
     constexpr auto nobody = std::numeric_limits<std::uint32_t>::max();
-    piece.coveredBy.assign(piece.vertices.size(), nobody);
+    piece.coveredBy.assign(piece.count, nobody);
     piece.outside = 0;
     std::map<std::uint32_t, std::vector<std::size_t>> inside; // by space
-    for (std::size_t i = 0; i < piece.vertices.size(); ++i)
+    for (std::size_t i = 0; i < piece.count; ++i)
         if (vertexAt(i).space != 0)
             inside[vertexAt(i).space].push_back(i);
-    const Neighbourhood neighbourhood(piece.vertices, mesh, spacing.least_m);
-    for (std::size_t i = 0; i < piece.vertices.size(); ++i) {
+    // Surfaces smaller than what is between nodes are put together across gaps.
+    const double small_m2 = smallSurface * spacing.least_m * spacing.least_m;
+    const auto isSmall = [&](std::size_t i) {
+        return vertexAt(i).space == 0 && piece.surface_m2[i] < small_m2;
+    };
+    Neighbourhood neighbourhood(spacing.least_m);
+    for (std::size_t i = 0; i < piece.count; ++i)
+        if (isSmall(i))
+            neighbourhood.add(i, vertexAt(i).at_m);
+    SurfaceWays ways(mesh, piece.first, piece.count);
+    for (std::size_t i = 0; i < piece.count; ++i) {
         if (piece.coveredBy[i] != nobody)
             continue;
         const auto node = static_cast<std::uint32_t>(piece.nodes.size());
@@ -390,36 +331,32 @@ void ExchangeNodes::place(OfPiece& piece, const ExchangeMesh& mesh, const NodeSp
                 dot(sightAt(i).normal, sightAt(at).normal) > alike)
                 piece.coveredBy[at] = node;
         };
-        piece.forEachAbout(i, piece.apart_m[i], mesh, [&](std::size_t at, double distance_m) {
+        ways.forEachAbout(i, piece.apart_m[i], [&](std::size_t at, double distance_m) {
             cover(at, piece.apart_m[at], distance_m);
         });
-        // Surfaces smaller than what is between nodes are put together across gaps.
-        const double small_m2 = smallSurface * spacing.least_m * spacing.least_m;
-        if (piece.surface_m2[i] < small_m2)
+        if (isSmall(i))
             neighbourhood.forEachAbout(vertexAt(i).at_m, [&](std::size_t at) {
-                if (vertexAt(at).space == 0 && piece.surface_m2[at] < small_m2)
-                    cover(at, spacing.least_m, length(vertexAt(at).at_m - vertexAt(i).at_m));
+                cover(at, spacing.least_m, length(vertexAt(at).at_m - vertexAt(i).at_m));
             });
     }
 }
 
 void ExchangeNodes::share(OfPiece& piece, const ExchangeMesh& mesh) {
     std::vector<FewNodes>& found = piece.shares;
-    found.assign(piece.vertices.size(), {});
+    found.assign(piece.count, {});
+    SurfaceWays ways(mesh, piece.first, piece.count);
     for (std::uint32_t n = 0; n < piece.nodes.size(); ++n) {
         const std::size_t at = piece.nodes[n];
-        const Vec3& normal = mesh.sights()[piece.vertices[at]].normal;
-        piece.forEachAbout(
-            at, reach * piece.apart_m[at], mesh, [&](std::size_t i, double distance_m) {
-                const double most_m = reach * std::min(piece.apart_m[i], piece.apart_m[at]);
-                const double far = 1.0 - distance_m * distance_m / (most_m * most_m);
-                const double turned =
-                    dot(normal, mesh.sights()[piece.vertices[i]].normal) - notUnlike;
-                if (i == at)
-                    found[i].offer(1.0 - notUnlike, n);
-                else if (far > 0.0 && turned > 0.0)
-                    found[i].offer(far * far * turned, n);
-            });
+        const Vec3& normal = mesh.sights()[piece.first + at].normal;
+        ways.forEachAbout(at, reach * piece.apart_m[at], [&](std::size_t i, double distance_m) {
+            const double most_m = reach * std::min(piece.apart_m[i], piece.apart_m[at]);
+            const double far = 1.0 - distance_m * distance_m / (most_m * most_m);
+            const double turned = dot(normal, mesh.sights()[piece.first + i].normal) - notUnlike;
+            if (i == at)
+                found[i].offer(1.0 - notUnlike, n);
+            else if (far > 0.0 && turned > 0.0)
+                found[i].offer(far * far * turned, n);
+        });
     }
     for (std::size_t i = 0; i < found.size(); ++i)
         if (found[i].count == 0)
@@ -458,25 +395,27 @@ void ExchangeNodes::gatherPatches() {
     area_m2_.assign(nodes(), 0.0);
     areaUpTo_m2_.resize(cells);
     firstNear_.push_back(0);
-    std::vector<std::pair<std::uint32_t, double>> areas;
+    std::vector<double> own_m2(nodes(), -1.0); // by node: of the patch, below 0 where it has none
+    std::vector<std::uint32_t> own;
     for (std::uint32_t patch = 0; patch < nodes(); ++patch) {
-        areas.clear();
+        own.clear();
         double sum_m2 = 0.0;
         for (std::uint32_t i = first_[patch]; i < first_[patch + 1]; ++i) {
             const double area_m2 = mesh_->area_m2(cells_[i]);
             areaUpTo_m2_[i] = sum_m2 += area_m2;
             for (const std::uint32_t corner : mesh_->corners(cells_[i]))
-                for (const Share& one : sharesOf(corner))
-                    areas.emplace_back(one.node, static_cast<double>(one.part) * area_m2 / 3.0);
+                for (const Share& one : sharesOf(corner)) {
+                    if (own_m2[one.node] < 0.0) {
+                        own_m2[one.node] = 0.0;
+                        own.push_back(one.node);
+                    }
+                    own_m2[one.node] += static_cast<double>(one.part) * area_m2 / 3.0;
+                }
         }
-        std::ranges::stable_sort(areas, {}, &std::pair<std::uint32_t, double>::first);
-        for (std::size_t i = 0; i < areas.size();) {
-            const std::uint32_t node = areas[i].first;
-            double own_m2 = 0.0;
-            for (; i < areas.size() && areas[i].first == node; ++i)
-                own_m2 += areas[i].second;
-            area_m2_[node] += own_m2;
-            near_.push_back({node, static_cast<float>(own_m2)});
+        std::ranges::sort(own);
+        for (const std::uint32_t node : own) {
+            area_m2_[node] += own_m2[node];
+            near_.push_back({node, static_cast<float>(std::exchange(own_m2[node], -1.0))});
         }
         firstNear_.push_back(static_cast<std::uint32_t>(near_.size()));
     }

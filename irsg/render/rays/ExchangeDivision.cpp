@@ -53,22 +53,26 @@ std::vector<FacetDivision::Line> ExchangeMesh::Making::wallsOn(std::uint32_t sid
         box.include(corner + margin);
         box.include(corner + up * (mostHeight * own.longest_m));
     }
+    const double tolerance = toleranceOf(side);
     std::vector<FacetDivision::Line> walls;
     std::vector<std::uint32_t> found;
+    found.reserve(64);
     tree.forEachTouching(box, [&](std::uint32_t number) { found.push_back(number); });
     std::ranges::sort(found);
     for (const std::uint32_t number : found) {
         std::size_t common = 0;
         for (const std::uint32_t place : places[number])
-            common += static_cast<std::size_t>(std::ranges::count(places[side / 2], place));
+            for (const std::uint32_t ownPlace : places[side / 2])
+                common += place == ownPlace ? 1 : 0;
         if (number == side / 2 || common >= 2)
             continue;
         const Triangle3 other_m = cornersOf(number);
         std::array<double, 3> above_m{};
         for (std::size_t i = 0; i < 3; ++i)
             above_m[i] = product(up, other_m[i]) - offset_m;
+        if (std::ranges::max(above_m) <= 0.0)
+            continue;
         const auto addWall = [&](const Vec3& from_m, const Vec3& to_m) {
-            const double tolerance = toleranceOf(side);
             FacetDivision::Line wall{placeOf(from_m), placeOf(to_m)};
             const FacetPlace along = wall.to - wall.from;
             if (std::hypot(along.u, along.v) > tolerance &&
@@ -95,17 +99,14 @@ std::vector<FacetDivision::Line> ExchangeMesh::Making::wallsOn(std::uint32_t sid
 }
 
 /// Whether there is anything beyond the plane of a side that does not turn its culled back
-/// to all of it. On a convex body there is nothing.
-bool ExchangeMesh::Making::seesAny(std::uint32_t side, const FacetTree& tree,
-                                   double extent_m) const {
+/// to all of it. On a convex body there is nothing. `known`: a facet that a side near it saw, which
+/// is looked at first, or none; becomes the one that was found.
+bool ExchangeMesh::Making::seesAny(std::uint32_t side, const FacetTree& tree, double extent_m,
+                                   std::uint32_t& known) const {
     const Facet own = facetOf(side / 2);
     const Vec3 up = normalOf(own, side);
     const double offset_m = product(up, own.corners_m[0]) + flatOfExtent * extent_m;
-    std::size_t looks = 0;
-    return tree.isAnyBeyond(up, offset_m, [&](std::uint32_t number) {
-        // Of a fine mesh many boxes reach beyond the plane, and no facet: rays tell sooner.
-        if (++looks > mostLooks)
-            return true;
+    const auto isSeen = [&](std::uint32_t number) {
         if (std::ranges::none_of(cornersOf(number), [&](const Vec3& corner) {
                 return product(up, corner) > offset_m;
             }))
@@ -117,6 +118,18 @@ bool ExchangeMesh::Making::seesAny(std::uint32_t side, const FacetTree& tree,
         return std::ranges::any_of(own.corners_m, [&](const Vec3& corner) {
             return product(other.normal, corner) > before_m;
         });
+    };
+    if (known != none && isSeen(known))
+        return true;
+    std::size_t looks = 0;
+    return tree.isAnyBeyond(up, offset_m, [&](std::uint32_t number) {
+        // Of a fine mesh many boxes reach beyond the plane, and no facet: rays tell sooner.
+        if (++looks > mostLooks)
+            return true;
+        if (!isSeen(number))
+            return false;
+        known = number;
+        return true;
     });
 }
 
@@ -129,14 +142,18 @@ void ExchangeMesh::Making::findWalls(double extent_m) {
     cut.resize(sides());
     std::vector<char> seen(sides());
     const FacetTree tree(std::move(boxes));
-    parallelForSmall(sides(), [&](std::uint32_t side) {
-        if (!isThere(side))
-            return;
-        seen[side] = seesAny(side, tree, extent_m);
-        if (!seen[side])
-            return;
-        if (const auto walls = wallsOn(side, tree); !walls.empty())
-            cut[side] = std::make_unique<FacetDivision>(walls, toleranceOf(side));
+    // Facets that follow each other mostly lie near each other, and see the same.
+    constexpr std::size_t atOnce = 256;
+    parallelFor((facets() + atOnce - 1) / atOnce, [&](std::size_t part) {
+        std::array<std::uint32_t, 2> known{none, none}; // by front and back
+        const std::size_t end = std::min(sides(), 2 * atOnce * (part + 1));
+        for (auto side = static_cast<std::uint32_t>(2 * atOnce * part); side < end; ++side) {
+            seen[side] = isThere(side) && seesAny(side, tree, extent_m, known[side % 2]);
+            if (!seen[side])
+                continue;
+            if (const auto walls = wallsOn(side, tree); !walls.empty())
+                cut[side] = std::make_unique<FacetDivision>(walls, toleranceOf(side));
+        }
     });
     sees.assign(seen.begin(), seen.end());
 }

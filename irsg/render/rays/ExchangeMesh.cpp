@@ -253,35 +253,44 @@ void ExchangeMesh::forgetWays() {
 
 void ExchangeMesh::connectVertices(const std::vector<CellPair>& uneven) {
     // Ways from some vertices after those from others: of millions they are not all there at once.
-    constexpr std::size_t waysAtOnce = std::size_t{1} << 22;
+    constexpr std::size_t waysAtOnce = std::size_t{1} << 24;
     const std::size_t turns = 1 + 6 * cells() / waysAtOnce;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> ways;
+    std::vector<std::uint32_t> ends, ways;
     firstBeside_.assign(vertices_.size() + 1, 0);
     beside_.reserve(3 * cells()); // as many as there are about the vertices of a closed surface
     for (std::size_t turn = 0; turn < turns; ++turn) {
         const auto begin = static_cast<std::uint32_t>(vertices_.size() * turn / turns);
         const auto behind = static_cast<std::uint32_t>(vertices_.size() * (turn + 1) / turns);
-        ways.clear();
-        const auto connect = [&](std::uint32_t a, std::uint32_t b) {
-            if (a == b)
-                return;
-            if (a >= begin && a < behind)
-                ways.emplace_back(a, b);
-            if (b >= begin && b < behind)
-                ways.emplace_back(b, a);
+        const auto forEachWay = [&](auto take) {
+            const auto connect = [&](std::uint32_t a, std::uint32_t b) {
+                if (a == b)
+                    return;
+                if (a >= begin && a < behind)
+                    take(a - begin, b);
+                if (b >= begin && b < behind)
+                    take(b - begin, a);
+            };
+            for (const auto& c : corners_)
+                for (std::size_t i = 0; i < 3; ++i)
+                    connect(c[i], c[(i + 1) % 3]);
+            for (const auto& [cell, other] : uneven)
+                for (const std::uint32_t a : corners_[cell])
+                    for (const std::uint32_t b : corners_[other])
+                        connect(a, b);
         };
-        for (const auto& c : corners_)
-            for (std::size_t i = 0; i < 3; ++i)
-                connect(c[i], c[(i + 1) % 3]);
-        for (const auto& [cell, other] : uneven)
-            for (const std::uint32_t a : corners_[cell])
-                for (const std::uint32_t b : corners_[other])
-                    connect(a, b);
-        std::ranges::sort(ways);
-        ways.erase(std::unique(ways.begin(), ways.end()), ways.end());
-        for (const auto& [from, to] : ways) {
-            ++firstBeside_[from + 1];
-            beside_.push_back(to);
+        // Counted, then put where those of the vertex begin, which is where they end afterwards.
+        ends.assign(behind - begin + 1, 0);
+        forEachWay([&](std::uint32_t from, std::uint32_t) { ++ends[from + 1]; });
+        std::partial_sum(ends.begin(), ends.end(), ends.begin());
+        ways.resize(ends.back());
+        forEachWay([&](std::uint32_t from, std::uint32_t to) { ways[ends[from]++] = to; });
+        for (std::uint32_t from = 0, first = 0; from < behind - begin; first = ends[from++]) {
+            const auto own = std::span(ways).subspan(first, ends[from] - first);
+            std::ranges::sort(own);
+            const std::size_t several = std::ranges::unique(own).size();
+            beside_.insert(beside_.end(), own.begin(),
+                           own.end() - static_cast<std::ptrdiff_t>(several));
+            firstBeside_[begin + from + 1] = static_cast<std::uint32_t>(own.size() - several);
         }
     }
     std::partial_sum(firstBeside_.begin(), firstBeside_.end(), firstBeside_.begin());

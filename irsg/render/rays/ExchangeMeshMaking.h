@@ -155,7 +155,8 @@ struct ExchangeMesh::Making {
                              bool isSmooth) const;
 
     std::vector<FacetDivision::Line> wallsOn(std::uint32_t side, const FacetTree& tree) const;
-    bool seesAny(std::uint32_t side, const FacetTree& tree, double extent_m) const;
+    bool seesAny(std::uint32_t side, const FacetTree& tree, double extent_m,
+                 std::uint32_t& known) const;
     /// Finds what sides see, and cuts them along walls.
     void findWalls(double extent_m);
     /// Sends the first rays, from all sides or some.
