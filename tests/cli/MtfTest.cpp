@@ -1,11 +1,14 @@
 #include <algorithm>
 #include <cstdlib>
 #include <map>
+#include <set>
+#include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "irsg/core/FileReading.h"
 #include "irsg/image/ImageFile.h"
 #include "smatcore/data/ResultTable.h"
 #include "tests/cli/Program.h"
@@ -41,6 +44,24 @@ TEST_F(SmatBatchMtf, InfoShowsTheHeaderOfEveryShippedDatabase) {
         EXPECT_EQ(ran.out.find("note:"), std::string::npos) << ran.out;
     }
     EXPECT_GE(files, 10);
+}
+
+TEST_F(SmatBatchMtf, AnImageWithHazeHasEqualBytesFromEveryEmptyCache) {
+    std::set<std::string> bytes;
+    for (int i = 0; i < 8; ++i) {
+        setenv("SMAT_CACHE", (folder / ("cache" + std::to_string(i))).c_str(), 1);
+        const Ran ran =
+            smatBatch({"image", std::string(SMAT_SOURCE_DIR) + "/samples/box/box.smat", "--engine",
+                       "rays", "--width", "48", "--height", "40", "--antialiasing", "1",
+                       "--scattering", "true", "--scattering-coefficient", "0.5", "--mtf",
+                       shipped / "droplets-100um-mwir.mtf", "--out", "a.csv"},
+                      folder.path());
+        EXPECT_EQ(ran.exitCode, 0) << ran.err;
+        bytes.insert(irsg::readFile(folder / "a.csv"));
+    }
+    setenv("SMAT_CACHE", "", 1); // as tests have it
+    EXPECT_EQ(bytes.size(), 1U);
+    EXPECT_NE(*bytes.begin(), "");
 }
 
 TEST_F(SmatBatchMtf, InfoReadsADatabaseOfBefore) {
