@@ -64,6 +64,33 @@ class DetectionCommand {
                         "rendered background beside the target")
             ->type_name("K");
         command
+            .add_option("--cases", cases_,
+                        "aspects: those of a polar plot; directions: azimuths and elevations of a "
+                        "signature table, by --set table.azimuthStep=30 and the others of table")
+            ->type_name("WORD")
+            ->capture_default_str();
+        command
+            .add_option("--against", against_,
+                        "A row for each of --values in place of each case, with the mean, least "
+                        "and greatest range of all cases: wind (m/s), visibility (m), humidity "
+                        "(%), hour (local solar time), band (um) or paint")
+            ->type_name("WORD");
+        command
+            .add_option("--values", values_,
+                        "Of --against: numbers, bands such as 3.7-4.2, of paint emissivities or "
+                        "names of materials, separated by commas")
+            ->type_name("LIST");
+        command
+            .add_option("--paint", paint_,
+                        "Of --against paint: the material of the target that is replaced")
+            ->type_name("NAME");
+        command
+            .add_option("--sun-of", sunOf_,
+                        "Of --against hour: the day and the place whose sun is seen, such as "
+                        "2025-06-21,54.3,10.1 (latitude and longitude in deg); without it the sun "
+                        "stays")
+            ->type_name("DATE,LAT,LON");
+        command
             .add_option("--ranges", ranges_,
                         "In place of the search of a range: the probability at these ranges in m, "
                         "separated by commas, the mean over the aspects")
@@ -110,7 +137,7 @@ class DetectionCommand {
             const Settings given = settings_.values();
             Project project = project_.load();
             settings_.place(project);
-            data = AnalysisData::of(project, AnalysisKind::polar);
+            data = AnalysisData::of(project, kindOf(request.cases));
             data.name = "detection";
             data.settings = data.settings.with(given);
             settings_.requireNamed(data.settings);
@@ -119,8 +146,8 @@ class DetectionCommand {
             request.sensorFile = sensor_;
         }
         const std::string description =
-            planAnalysis(AnalysisKind::polar, data.project,
-                         withFixedSteps(AnalysisKind::polar, data.settings))
+            planAnalysis(kindOf(request.cases), data.project,
+                         withFixedSteps(kindOf(request.cases), data.settings))
                 .description;
         files_.checkWritable();
         if (dryRun_) {
@@ -185,6 +212,8 @@ class DetectionCommand {
         if (numbers_.value("--background-temperature"))
             request.background_K = numbers_.positive("--background-temperature", 300.0);
         request.place = static_cast<PointPlace>(chosen("--point", place_, pointPlaceWords()));
+        request.cases = static_cast<RangeCases>(chosen("--cases", cases_, rangeCasesWords()));
+        takeComparison(request);
         takeRanges(request);
         return request;
     }
@@ -215,6 +244,39 @@ class DetectionCommand {
                 throw refusal("--clutter", clutter_, "a number of K above 0, or auto");
             request.clutter_K = *clutter_K;
         }
+    }
+
+    void takeComparison(DetectionRequest& request) const {
+        const std::pair<const char*, const std::string*> ofIt[] = {
+            {"--values", &values_}, {"--paint", &paint_}, {"--sun-of", &sunOf_}};
+        if (against_.empty()) {
+            for (const auto& [option, text] : ofIt)
+                if (!text->empty())
+                    throw refusal(option, *text, "nothing without --against");
+            return;
+        }
+        RangeComparison comparison;
+        comparison.against =
+            static_cast<RangeAgainst>(chosen("--against", against_, rangeAgainstWords()));
+        comparison.values = wordsOf(values_);
+        if (values_.empty())
+            throw refusal("--values", "nothing", "values of --against, separated by commas");
+        const bool isPaint = comparison.against == RangeAgainst::paint;
+        if (isPaint == paint_.empty())
+            throw refusal("--paint", isPaint ? "nothing" : paint_,
+                          isPaint ? "the material of the target that is replaced"
+                                  : "nothing: only --against paint has one");
+        comparison.paint = paint_;
+        if (!sunOf_.empty()) {
+            if (comparison.against != RangeAgainst::hour)
+                throw refusal("--sun-of", sunOf_, "nothing: only --against hour moves the sun");
+            comparison.place = rangePlaceOf("--sun-of", sunOf_);
+        }
+        for (const auto& [option, isGiven] :
+             {std::pair("--ranges", !ranges_.empty()), {"--sensitivity", sensitivity_}})
+            if (isGiven)
+                throw refusal(option, "given", "nothing beside --against");
+        request.comparison = std::move(comparison);
     }
 
     void takeRanges(DetectionRequest& request) const {
@@ -267,7 +329,7 @@ class DetectionCommand {
     TableFiles files_;
     std::string sensor_, place_ = "centre", criterion_ = "point", task_ = "detection";
     std::vector<std::string> leftOut_;
-    std::string clutter_, ranges_;
+    std::string clutter_, ranges_, cases_ = "aspects", against_, values_, paint_, sunOf_;
     bool dryRun_ = false, sensitivity_ = false;
 };
 
@@ -275,7 +337,8 @@ class DetectionCommand {
 
 void addDetectionCommand(CLI::App& app, Context& context) {
     addCommand<DetectionCommand>(app, context, "detection",
-                                 "How far a sensor sees the target, over one turn");
+                                 "How far a sensor sees the target, over one turn or all "
+                                 "directions, or against wind, hour, band or paint");
 }
 
 } // namespace smat::batch

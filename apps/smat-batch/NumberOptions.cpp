@@ -109,17 +109,24 @@ void TableFiles::write(const std::string& kind, const ResultTable& table,
         fmt::print("  -> {}\n", file);
 }
 
-std::vector<double> numbersOf(const char* option, const std::string& text) {
-    std::vector<double> list;
+std::vector<std::string> wordsOf(const std::string& text) {
+    std::vector<std::string> words;
     for (std::size_t begin = 0; begin <= text.size();) {
         const std::size_t end = std::min(text.find(',', begin), text.size());
-        const std::string word = text.substr(begin, end - begin);
-        const auto value = irsg::parseNumber(irsg::trimmed(word));
+        words.emplace_back(irsg::trimmed(text.substr(begin, end - begin)));
+        begin = end + 1;
+    }
+    return words;
+}
+
+std::vector<double> numbersOf(const char* option, const std::string& text) {
+    std::vector<double> list;
+    for (const std::string& word : wordsOf(text)) {
+        const auto value = irsg::parseNumber(word);
         if (!value || *value < 0.0)
             throw refusal(option, word.empty() ? "nothing" : word,
                           "numbers of at least 0, separated by commas");
         list.push_back(*value);
-        begin = end + 1;
     }
     return list;
 }

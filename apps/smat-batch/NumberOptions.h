@@ -43,6 +43,9 @@ class NumberOptions {
     std::map<std::string, std::string> texts_; ///< the parser keeps pointers into it
 };
 
+/// What the text of an option lists between commas, without blanks at the ends.
+std::vector<std::string> wordsOf(const std::string& text);
+
 /// The numbers of at least 0 that the text of an option lists, separated by commas. Throws
 /// InputError naming the option.
 std::vector<double> numbersOf(const char* option, const std::string& text);

@@ -80,6 +80,11 @@ std::shared_ptr<AtmosphereSmart> AtmosphereSmart::fromXml(const std::filesystem:
 std::shared_ptr<AtmosphereSmart> AtmosphereSmart::withResolution(int resolution_per_cm) const {
     AtmosphereSmartParameters parameters = parameters_;
     parameters.resolution_per_cm = resolution_per_cm;
+    return withParameters(std::move(parameters));
+}
+
+std::shared_ptr<AtmosphereSmart>
+AtmosphereSmart::withParameters(AtmosphereSmartParameters parameters) const {
     auto other = std::make_shared<AtmosphereSmart>(std::move(parameters), name_, file_, gases_);
     other->remarks_ = remarks_;
     return other;

@@ -45,6 +45,9 @@ class AtmosphereSmart : public Atmosphere, public ReflectingGround {
     /// The same air with other bins: 1, 5 or 15 cm-1, InputError otherwise.
     std::shared_ptr<AtmosphereSmart> withResolution(int resolution_per_cm) const;
 
+    /// The same with other parameters. Throws InputError as the constructor.
+    std::shared_ptr<AtmosphereSmart> withParameters(AtmosphereSmartParameters parameters) const;
+
     const AtmosphereSmartParameters& parameters() const { return parameters_; }
     const AtmosphericModel& air() const { return air_; }
     /// Throws InputError where the gas table cannot be read or does not hold the base.

@@ -131,6 +131,8 @@ std::optional<ObjectExtent> FramePlanner::seenBy(const SceneSurfaces& surfaces,
 
 FramePlan FramePlanner::plan(const FrameRequest& request, const SceneSurfaces& surfaces,
                              const FrameBackgrounds& backgrounds) {
+    if (!request.withObjects)
+        return {};
     const RenderSettings& settings = request.scene.settings;
     std::vector<ObjectExtent> seen;
     for (int e = 0; e < static_cast<int>(request.scene.entities.size()); ++e)

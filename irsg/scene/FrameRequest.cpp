@@ -30,6 +30,7 @@ FrameRequest::FrameRequest(const Scene& ofScene, const SensorView& ofView, const
       withErrors(outputs.errors().value_or(ofScene.settings.errors) &&
                  (outputs.hasReports() || !outputs.wavenumbers_per_cm().empty())),
       withImage(outputs.hasImage()),
+      withObjects(outputs.hasObjects()),
       bySurface(outputs.isBySurface()),
       alongRange(outputs.isAlongRange() && !outputs.hasImage()),
       isScaled(!outputs.scalings().empty()) {}

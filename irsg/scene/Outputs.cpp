@@ -8,6 +8,12 @@ Outputs Outputs::image() {
     return made;
 }
 
+Outputs Outputs::background() {
+    Outputs made = image();
+    made.objects_ = false;
+    return made;
+}
+
 Outputs::ImageWithReports Outputs::imageWithReports() {
     Outputs made = image();
     made.reports_ = true;

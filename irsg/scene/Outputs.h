@@ -25,6 +25,9 @@ class Outputs {
     /// The radiance image in the sensor's band, and a report of how it was drawn (windows,
     /// warnings), which has no sums.
     static Outputs image();
+    /// The same of what is behind the objects, none of which is drawn: sky, ground, skybox, sun and
+    /// terrain, in the apparent directions of the object that is looked at.
+    static Outputs background();
     /// The same with the radiometry of the objects.
     static ImageWithReports imageWithReports();
     /// An image of a window that follows edits: for the second one of a view what each pixel takes
@@ -46,6 +49,7 @@ class Outputs {
                                   std::vector<double> wavenumbers_per_cm);
 
     bool hasImage() const { return image_; }
+    bool hasObjects() const { return objects_; }
     bool isFollowed() const { return followed_; }
     bool hasReports() const { return reports_; }
     bool isAlongRange() const { return alongRange_; }
@@ -65,8 +69,8 @@ class Outputs {
   private:
     Outputs() = default;
 
-    bool image_ = false, followed_ = false, reports_ = false, alongRange_ = false, source_ = false,
-         byObject_ = false, bySurface_ = false;
+    bool objects_ = true, image_ = false, followed_ = false, reports_ = false, alongRange_ = false,
+         source_ = false, byObject_ = false, bySurface_ = false;
     std::optional<bool> errors_;
     std::vector<Band> bands_;
     std::vector<double> wavenumbers_per_cm_;

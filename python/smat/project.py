@@ -321,6 +321,11 @@ class Project:
         false_alarms: Optional[float] = None,
         clutter_K: Union[float, str, None] = None,
         sensitivity: bool = False,
+        cases: str = "aspects",
+        against: Optional[str] = None,
+        values: Optional[Sequence[Union[float, str]]] = None,
+        paint: Optional[str] = None,
+        sun_of: Optional[str] = None,
         ranges_m: Optional[Sequence[float]] = None,
         draws: int = 0,
         leave_out: Optional[Sequence[str]] = None,
@@ -334,7 +339,7 @@ class Project:
         progress: Optional[ProgressFunction] = None,
         **options: SettingValue,
     ) -> Result:
-        """How far a sensor sees the target over aspect, as `smat-batch detection` does.
+        """How far a sensor sees the target, as `smat-batch detection` does.
 
         Parameters
         ----------
@@ -358,11 +363,24 @@ class Project:
             pixel and a frame.
         clutter_K : float or 'auto', optional
             Of a point: the standard deviation of the background's apparent temperature from pixel
-            to pixel, which counts as noise, K; 0. 'auto': that of the rendered background beside
+            to pixel, which counts as noise, K; 0. 'auto': that of the rendered background behind
             the target.
         sensitivity : bool
             Adds columns 'sensitivity_NAME', the relative change of the range per relative change
-            of each number of sensor, extinction and target.
+            of each number of sensor, atmosphere and target.
+        cases : {'aspects', 'directions'}
+            Those of a polar plot, or azimuths and elevations of a signature table.
+        against : {'wind', 'visibility', 'humidity', 'hour', 'band', 'paint'}, optional
+            A row for each of `values` in place of each case, with the mean, least and greatest
+            range of all cases.
+        values : sequence of float or str, optional
+            Of `against`: m/s, m, %, hours of local solar time, bands such as '3.7-4.2', of paints
+            emissivities or names of materials.
+        paint : str, optional
+            Of 'paint': the material of the target that is replaced.
+        sun_of : str, optional
+            Of 'hour': the day and the place whose sun is seen, such as '2025-06-21,54.3,10.1'
+            (latitude and longitude, deg); without it the sun stays.
         ranges_m : sequence of float, optional
             In place of the search of a range: the table has the probability at these ranges, m.
         draws : int
@@ -379,19 +397,20 @@ class Project:
         background_temperature_K : float, optional
             Of the background whose photons make noise; without, that of the scene.
         settings, progress, **options
-            As those of polar(), which place the cases.
+            As those of polar() or table(), which place the cases.
 
         Returns
         -------
         Result
-            'detection_range' with its error over the aspect, or 'probability' over 'range'.
+            'detection_range' with its error over aspects, directions or `values`, or 'probability'
+            over 'range'.
 
         Raises
         ------
         InputError
             For values that cannot be.
         """
-        given = {**texts(settings or {}), **texts_of_options("polar", options)}
+        given = {**texts(settings or {}), **texts_of_options("table" if cases == "directions" else "polar", options)}
         project = self._open
         if given:
             project = _core.OpenProject(self._open)
@@ -407,6 +426,11 @@ class Project:
             "clutter_K": clutter_K,
             "sensitivity": sensitivity,
             "ranges_m": None if ranges_m is None else list(ranges_m),
+            "cases": cases,
+            "against": against,
+            "values": None if values is None else list(values),
+            "paint": paint,
+            "sun_of": sun_of,
             "draws": draws,
             "leave_out": None if leave_out is None else list(leave_out),
             "scene_contrast_K": scene_contrast_K,

@@ -104,6 +104,36 @@ std::shared_ptr<irsg::RadianceImage> readingOf(const FileSensor& sensor, const P
     return image;
 }
 
+RangeComparison comparisonOf(const py::dict& given) {
+    RangeComparison comparison;
+    comparison.against = static_cast<RangeAgainst>(
+        wordOf("against", given["against"].cast<std::string>(), rangeAgainstWords()));
+    if (!given["values"].is_none())
+        for (const py::handle value : given["values"])
+            comparison.values.push_back(py::isinstance<py::str>(value)
+                                            ? value.cast<std::string>()
+                                            : irsg::numberText(value.cast<double>()));
+    if (comparison.values.empty())
+        throw badArgument("values", "nothing", "values of against");
+    const bool isPaint = comparison.against == RangeAgainst::paint;
+    if (isPaint == given["paint"].is_none())
+        throw badArgument("paint", isPaint ? "None" : "given",
+                          isPaint ? "the material of the target that is replaced"
+                                  : "None: only against='paint' has one");
+    if (isPaint)
+        comparison.paint = given["paint"].cast<std::string>();
+    if (!given["sun_of"].is_none()) {
+        if (comparison.against != RangeAgainst::hour)
+            throw badArgument("sun_of", "given", "None: only against='hour' moves the sun");
+        comparison.place = rangePlaceOf("sun_of", given["sun_of"].cast<std::string>());
+    }
+    for (const auto& [key, isGiven] : {std::pair("ranges_m", !given["ranges_m"].is_none()),
+                                       {"sensitivity", given["sensitivity"].cast<bool>()}})
+        if (isGiven)
+            throw badArgument(key, "given", "nothing beside against");
+    return comparison;
+}
+
 DetectionRequest requestOf(const FileSensor& sensor, const py::dict& given) {
     DetectionRequest request;
     request.sensor = sensor.description;
@@ -139,6 +169,13 @@ DetectionRequest requestOf(const FileSensor& sensor, const py::dict& given) {
     if (!given["ranges_m"].is_none())
         for (const double range_m : given["ranges_m"].cast<std::vector<double>>())
             request.ranges_m.push_back(positive("ranges_m", range_m, "ranges above 0 m"));
+    request.cases = static_cast<RangeCases>(
+        wordOf("cases", given["cases"].cast<std::string>(), rangeCasesWords()));
+    if (!given["against"].is_none())
+        request.comparison = comparisonOf(given);
+    for (const char* key : {"values", "paint", "sun_of"})
+        if (!request.comparison && !given[key].is_none())
+            throw badArgument(key, "given", "None without against");
     request.draws = given["draws"].cast<std::size_t>();
     if (request.draws > 0 && request.ranges_m.empty())
         throw badArgument("draws", std::to_string(request.draws), "0 without ranges_m");
@@ -159,7 +196,7 @@ std::shared_ptr<AnalysisData> detectionOf(const OpenProject& open, const FileSen
                                           const py::dict& given, const py::object& progress) {
     prepareProcess();
     const DetectionRequest request = requestOf(sensor, given);
-    auto data = std::make_shared<AnalysisData>(analysisOf(open, name(AnalysisKind::polar), ""));
+    auto data = std::make_shared<AnalysisData>(analysisOf(open, name(kindOf(request.cases)), ""));
     data->name = name(detectionKind());
     data->commandLine = detectionCommand(data->project, data->settings, request, "detection.csv");
     PythonProgress watch(progress);

@@ -1,8 +1,13 @@
 #include "smatcore/analysis/BackgroundClutter.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
+#include <optional>
+#include <utility>
 
+#include "irsg/atmosphere/Atmosphere.h"
 #include "irsg/core/Errors.h"
 #include "irsg/sensor/SensorChain.h"
 
@@ -10,111 +15,131 @@ namespace smat {
 
 namespace {
 
-constexpr int largestSide_px = 256, samples = 2;
+/// A side of a pixel, as images in counts have by default: fewer would blur a horizon.
+constexpr int samples = 4;
+constexpr int side_px = 128;
+/// A flat detector sees no wider square.
+constexpr double widest_rad = 1.5;
+constexpr std::size_t blocksPerSide = 8;
 
-/// Calls `use` for each pixel that has eight neighbours, with its offset, where it and they are
-/// background.
-template <typename Use>
-void forEachInside(const std::vector<bool>& isBackground, std::size_t width, const Use& use) {
-    const std::size_t height = isBackground.size() / width;
-    for (std::size_t y = 1; y + 1 < height; ++y)
-        for (std::size_t x = 1; x + 1 < width; ++x) {
-            bool isInside = true;
-            for (std::size_t row = y - 1; row <= y + 1; ++row)
-                for (std::size_t column = x - 1; column <= x + 1; ++column)
-                    isInside = isInside && isBackground[row * width + column];
-            if (isInside)
-                use(y * width + x);
-        }
+irsg::SensorDescription squareOf(irsg::SensorDescription sensor, int side_px) {
+    sensor.detector.columns = sensor.detector.rows = side_px;
+    return sensor;
 }
 
-/// Which pixels no sample of an object lies in or within `reach` pixels of, as a square.
-std::vector<bool> backgroundPixels(const std::vector<float>& index, std::size_t width,
-                                   std::size_t height, std::size_t reach) {
-    std::vector<bool> isBackground(width * height, true);
-    for (std::size_t y = 0; y < height * samples; ++y)
-        for (std::size_t x = 0; x < width * samples; ++x) {
-            if (std::isnan(index[y * width * samples + x]))
-                continue;
-            const std::size_t column = x / samples, row = y / samples;
-            for (std::size_t r = row - std::min(row, reach); r <= std::min(row + reach, height - 1);
-                 ++r)
-                for (std::size_t c = column - std::min(column, reach);
-                     c <= std::min(column + reach, width - 1); ++c)
-                    isBackground[r * width + c] = false;
-        }
-    return isBackground;
-}
-
-/// With the mean of the background where there are objects, whose light would reach far.
-std::vector<float> withoutObjects(std::vector<float> radiance, const std::vector<float>& index) {
-    double sum = 0.0;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < radiance.size(); ++i)
-        if (std::isnan(index[i])) {
-            sum += static_cast<double>(radiance[i]);
-            ++count;
-        }
-    const auto mean = static_cast<float>(count == 0 ? 0.0 : sum / static_cast<double>(count));
-    for (std::size_t i = 0; i < radiance.size(); ++i)
-        if (!std::isnan(index[i]))
-            radiance[i] = mean;
-    return radiance;
+/// Whether turning the camera about the target shows another background.
+bool dependsOnAzimuth(const PlacedCase& placed) {
+    const irsg::Scene& scene = placed.scene;
+    if (scene.skybox || scene.terrain || scene.settings.sunDisc)
+        return true;
+    if (scene.settings.background != irsg::BackgroundMode::environment)
+        return false;
+    const irsg::Atmosphere* air = scene.environment.find(
+        placed.view.sensor.band.range(), irsg::AtmosphereProperty::backgroundRadiance);
+    return air != nullptr && air->dependsOnAzimuth(irsg::AtmosphereProperty::backgroundRadiance);
 }
 
 } // namespace
 
-double pixelDeviation(const std::vector<double>& values, const std::vector<bool>& isBackground,
-                      std::size_t width) {
-    double squares = 0.0;
-    std::size_t count = 0;
-    forEachInside(isBackground, width, [&](std::size_t at) {
-        double around = -values[at];
-        for (const std::size_t middle : {at - width, at, at + width})
-            around += values[middle - 1] + values[middle] + values[middle + 1];
-        const double residual = values[at] - around / 8.0;
-        squares += residual * residual;
-        ++count;
-    });
-    return count < 2 ? 0.0 : std::sqrt(8.0 / 9.0 * squares / static_cast<double>(count));
+PixelDeviation pixelDeviation(const std::vector<double>& values, std::size_t width,
+                              std::size_t margin) {
+    const std::size_t height = values.size() / width;
+    if (std::min(width, height) <= 2 * margin)
+        return {};
+    const std::size_t columns = width - 2 * margin, rows = height - 2 * margin;
+    std::array<double, blocksPerSide * blocksPerSide> squares{}, counts{};
+    for (std::size_t y = 0; y < rows; ++y)
+        for (std::size_t x = 0; x < columns; ++x) {
+            const std::size_t at = (y + margin) * width + x + margin;
+            double around = -values[at];
+            for (const std::size_t middle : {at - width, at, at + width})
+                around += values[middle - 1] + values[middle] + values[middle + 1];
+            const double residual = values[at] - around / 8.0;
+            const std::size_t block =
+                y * blocksPerSide / rows * blocksPerSide + x * blocksPerSide / columns;
+            squares[block] += residual * residual;
+            counts[block] += 1.0;
+        }
+    const double count = std::accumulate(counts.begin(), counts.end(), 0.0);
+    if (count < 2.0)
+        return {};
+    const double mean = std::accumulate(squares.begin(), squares.end(), 0.0) / count;
+    // Of the mean square, by those of the blocks, each with its weight.
+    double spread = 0.0;
+    for (std::size_t block = 0; block < squares.size(); ++block)
+        spread += std::pow(squares[block] - mean * counts[block], 2);
+    const double deviation = std::sqrt(8.0 / 9.0 * mean);
+    return {deviation, mean > 0.0 ? deviation * std::sqrt(spread) / (count * mean) : 0.0};
 }
 
-MeasuredClutter backgroundClutter(const PlacedCase& placed, const RenderDoor& door,
-                                  const irsg::SensorDescription& sensor) {
-    irsg::SensorDescription piece = sensor;
-    piece.detector.columns = std::min(sensor.detector.columns, largestSide_px);
-    piece.detector.rows = std::min(sensor.detector.rows, largestSide_px);
-    PlacedCase finer = placed;
-    finer.view.sensor = piece.pinhole();
-    finer.view.sensor.width_px *= samples;
-    finer.view.sensor.height_px *= samples;
-    finer.scene.settings.truthLayers = true;
-    // What the objects see of each other changes no pixel that counts.
-    finer.scene.settings.bounces = 0;
-    const irsg::RadianceImage image = finer.render(door, irsg::Outputs::image()).image;
-    const std::vector<float>& index = image.find("temperature_index")->values;
-    const irsg::SensorChain chain(piece);
-    const double reach_px =
-        std::ceil(irsg::SensorTransfer(piece).spread_rad() / piece.pixelAngle_rad());
-    const auto width = static_cast<std::size_t>(piece.detector.columns);
-    const std::vector<bool> isBackground = backgroundPixels(
-        image.find("temperature_index")->values, width,
-        static_cast<std::size_t>(piece.detector.rows), static_cast<std::size_t>(reach_px));
-    const std::vector<double> signal =
-        chain.exposed(withoutObjects(image.find("L")->values, index), samples);
-    double sum = 0.0;
-    std::size_t count = 0;
-    forEachInside(isBackground, width, [&](std::size_t at) {
-        sum += signal[at];
-        ++count;
-    });
-    if (count < 2)
+/// A square of pixels with its blur, which all backgrounds share.
+struct BackgroundClutter::Square {
+    explicit Square(const irsg::SensorDescription& sensor)
+        : chain(sensor), pinhole(sensor.pinhole()) {
+        pinhole.width_px *= samples;
+        pinhole.height_px *= samples;
+    }
+    irsg::SensorChain chain;
+    irsg::Sensor pinhole;
+};
+
+BackgroundClutter::BackgroundClutter(const RenderDoor& door, irsg::SensorDescription sensor)
+    : door_(door),
+      sensor_(std::move(sensor)),
+      margin_px_(static_cast<std::size_t>(std::ceil(irsg::SensorTransfer(sensor_).spread_rad() /
+                                                    sensor_.pixelAngle_rad())) +
+                 1) {
+    // Of sensors with wide pixels what a flat detector can be.
+    const int side = std::min(side_px, static_cast<int>(widest_rad / sensor_.pixelAngle_rad()));
+    if (static_cast<std::size_t>(side) >= 2 * margin_px_ + blocksPerSide)
+        square_ = std::make_unique<Square>(squareOf(sensor_, side));
+}
+
+BackgroundClutter::~BackgroundClutter() = default;
+
+std::vector<double> BackgroundClutter::keyOf(const PlacedCase& placed) const {
+    const irsg::Viewpoint& eye = placed.view.viewpoint;
+    const irsg::Vec3 target_m = placed.referencePoints_m.front();
+    std::vector<double> key = {eye.position_m.z, target_m.z,
+                               irsg::length(eye.position_m - target_m)};
+    if (dependsOnAzimuth(placed))
+        for (const irsg::Vec3& one : {eye.position_m, eye.backward, target_m})
+            key.insert(key.end(), {one.x, one.y, one.z});
+    // What rounding left of a turn of the camera is the same place.
+    for (double& value : key)
+        value = std::round(value * 1e6) * 1e-6;
+    return key;
+}
+
+MeasuredClutter BackgroundClutter::of(const PlacedCase& placed) {
+    const auto [known, isNew] = known_.try_emplace(keyOf(placed));
+    if (isNew)
+        known->second = measure(placed);
+    return known->second;
+}
+
+MeasuredClutter BackgroundClutter::measure(const PlacedCase& placed) {
+    if (!square_)
         throw irsg::InputError({"", "clutter of the background",
-                                "no pixel of it beside the target in the sensor's frame",
-                                "a range from which the target leaves some free, or a number"});
-    const double perRadiance = chain.response().signalPerRadiance();
-    return {pixelDeviation(signal, isBackground, width) / perRadiance,
-            sum / static_cast<double>(count) / perRadiance};
+                                "a point spread of " + std::to_string(2 * margin_px_) + " pixels",
+                                "one that is narrower than the square of pixels about the target "
+                                "that clutter is taken from, or a number"});
+    PlacedCase behind = placed;
+    behind.view.sensor = square_->pinhole;
+    irsg::RenderSettings& settings = behind.scene.settings;
+    // Nothing of the objects is seen.
+    settings.truthLayers = settings.hotSpots = settings.errors = settings.scattering = false;
+    settings.sun = settings.ambientReflection = irsg::ReflectionMode::off;
+    settings.sunShadows = irsg::SunShadowMode::off;
+    settings.bounces = 0;
+    const irsg::RadianceImage image = behind.render(door_, irsg::Outputs::background()).image;
+    const std::vector<double> signal = square_->chain.exposed(image.primary().values, samples);
+    const auto width = static_cast<std::size_t>(square_->pinhole.width_px / samples);
+    const PixelDeviation found = pixelDeviation(signal, width, margin_px_);
+    const double perRadiance = square_->chain.response().signalPerRadiance();
+    return {found.deviation / perRadiance, found.error / perRadiance,
+            std::accumulate(signal.begin(), signal.end(), 0.0) /
+                static_cast<double>(signal.size()) / perRadiance};
 }
 
 } // namespace smat

@@ -1,13 +1,11 @@
 #include "smatcore/analysis/Detection.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <functional>
 #include <iterator>
 #include <limits>
 #include <optional>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -16,13 +14,13 @@
 #include "irsg/core/Quantity.h"
 #include "irsg/core/Wording.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
-#include "smatcore/analysis/CaseWarnings.h"
 #include "smatcore/analysis/CommandSettings.h"
+#include "smatcore/analysis/DetectionAspects.h"
+#include "smatcore/analysis/DetectionComparison.h"
 #include "smatcore/analysis/DetectionProbability.h"
 #include "smatcore/analysis/DetectionProvenance.h"
 #include "smatcore/analysis/RangeSensitivity.h"
 #include "smatcore/analysis/SampleStatistics.h"
-#include "smatcore/analysis/TargetAspect.h"
 #include "smatcore/settings/SettingKeys.h"
 #include "smatcore/support/ShellText.h"
 
@@ -30,11 +28,10 @@ namespace smat {
 
 namespace {
 
-using Found = irsg::DetectionRange::Found;
-
 const std::string sensitivityPrefix = "sensitivity_";
 
-void addColumns(ResultTable& table, const AnalysisPlan& plan, const DetectionRequest& request) {
+void addColumns(ResultTable& table, const DetectionScene& shared, const DetectionRequest& request) {
+    const AnalysisPlan& plan = shared.plan;
     for (const irsg::Quantity quantity : plan.columns)
         table.add(quantity);
     table.add("detection_range", "m");
@@ -54,36 +51,27 @@ void addColumns(ResultTable& table, const AnalysisPlan& plan, const DetectionReq
         table.add("probability", "");
     if (!request.leftOut.empty())
         table.add("left_out", "");
-    if (request.measuresClutter)
+    if (request.measuresClutter) {
         table.add("clutter", "K");
+        table.add("error_clutter", "K");
+    }
     if (request.findsSensitivity)
-        for (const SensitivityName& number : sensitivityNames(request))
+        for (const SensitivityName& number : sensitivityNames(request, shared.scene))
             table.add(sensitivityPrefix + number.key, "");
-}
-
-/// What an aspect warns of, "" for nothing.
-std::string warningOf(const std::vector<std::pair<bool, const char*>>& all) {
-    std::string text;
-    for (const auto& [isSo, words] : all)
-        if (isSo)
-            text += (text.empty() ? "" : "; ") + std::string(words);
-    return text;
-}
-
-double outcomeOf(Found found) {
-    return found == Found::atRange ? 0.0 : found == Found::beyond ? 1.0 : -1.0;
 }
 
 void summariseRanges(AnalysisData& data) {
     const ResultColumn* ranges = data.table.find("detection_range");
     if (ranges == nullptr || ranges->values.empty())
         return;
-    const auto& angles = data.table.columns().front();
+    const auto& columns = data.table.columns();
     const auto [least, most] = std::ranges::minmax_element(ranges->values);
     const auto where = [&](auto it) {
-        return fmt::format(" at {:.6g} {}",
-                           angles.values[static_cast<std::size_t>(it - ranges->values.begin())],
-                           angles.unit);
+        const auto row = static_cast<std::size_t>(it - ranges->values.begin());
+        std::string place = fmt::format(" at {:.6g} {}", columns[0].values[row], columns[0].unit);
+        if (data.table.columns()[0].key == irsg::info(irsg::Quantity::azimuth).key)
+            place += fmt::format(", elevation {:.6g} deg", columns[1].values[row]);
+        return place;
     };
     data.summary.push_back({"Longest detection range" + where(most), *most, "m"});
     data.summary.push_back({"Shortest detection range" + where(least), *least, "m"});
@@ -97,9 +85,9 @@ double meanOfNumbers(const ResultColumn& column) {
 }
 
 /// The means over the aspects, the largest first.
-void summariseSensitivities(AnalysisData& data, const DetectionRequest& request) {
+void summariseSensitivities(AnalysisData& data, const std::vector<SensitivityName>& names) {
     std::vector<SummaryItem> items;
-    for (const SensitivityName& number : sensitivityNames(request))
+    for (const SensitivityName& number : names)
         if (const double mean = meanOfNumbers(*data.table.find(sensitivityPrefix + number.key));
             std::isfinite(mean))
             items.push_back({"Sensitivity of the range to: " + number.title, mean, ""});
@@ -148,6 +136,10 @@ std::string detectionCommand(const Project& project, const Settings& settings,
         if (request.place != usual.place)
             command += " --point " + pointPlaceWords()[static_cast<std::size_t>(request.place)];
     }
+    if (request.cases != RangeCases::aspects)
+        command += " --cases " + rangeCasesWords()[static_cast<std::size_t>(request.cases)];
+    if (request.comparison)
+        command += comparisonOptions(*request.comparison);
     if (request.findsSensitivity)
         command += " --sensitivity";
     for (std::size_t i = 0; i < request.ranges_m.size(); ++i)
@@ -158,7 +150,9 @@ std::string detectionCommand(const Project& project, const Settings& settings,
     number("--looks", request.limits.looksPerDecade, usual.limits.looksPerDecade);
     if (request.background_K)
         number("--background-temperature", *request.background_K, 0.0);
-    return command + settingOptions(project, settings, project.settings, AnalysisKind::polar) +
+    return command +
+           settingOptions(project, settings, project.settings, kindOf(request.cases),
+                          request.cases != RangeCases::aspects) +
            " --out " + shellQuoted(outputFile);
 }
 
@@ -166,115 +160,72 @@ void runDetection(AnalysisData& data, const DetectionRequest& request, const Ren
                   const SceneFactory& scenes, const RunControl& control) {
     if (!request.ranges_m.empty())
         return runDetectionProbability(data, request, door, scenes, control);
-    const auto start = std::chrono::steady_clock::now();
-    const auto elapsed_s = [&] {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    };
-    const DetectionScene shared(data, request, door, scenes);
+    if (request.comparison)
+        return runDetectionComparison(data, request, door, scenes, control);
+    DetectionProgress progress(control);
+    DetectionAspects aspects(data, request, door, scenes);
+    const DetectionScene& shared = aspects.shared();
     const AnalysisPlan& plan = shared.plan;
-    TargetSight seeing(request);
-    const double wanted = seeing.wanted();
-    const bool isOfCycles = seeing.isOfCycles();
-    addColumns(data.table, plan, request);
+    TargetSight& sight = aspects.sight();
+    RangeSearch search(request, sight);
+    addColumns(data.table, shared, request);
     std::optional<RangeSensitivity> sensitivity;
     if (request.findsSensitivity)
         sensitivity.emplace(shared, request);
-    CaseWarnings warnings;
-    std::size_t done = 0, resolved = 0, never = 0, beyond = 0, full = 0;
     if (control.isRehearsal)
         return shared.check(request.limits.nearest_m);
-    // Paths into the ground, say.
-    double leastRefused_m = std::numeric_limits<double>::infinity();
-    std::string refusal;
-    for (const AnalysisCase& one : plan.cases) {
-        if (control.stop.stop_requested())
-            break;
-        const std::string place = plan.place(one);
-        if (control.progress)
-            control.progress({done, plan.cases.size(), elapsed_s(), "detection: " + place});
-        warnings.beginCase(place);
-        TargetAspect aspect(shared, shared.scene, seeing, one, data, warnings);
-        const double clutter_K =
-            request.measuresClutter ? aspect.measureClutter(request.sensor) : 0.0;
-        (void)aspect.at(request.limits.nearest_m, false); // refuses what no range would change
-        const auto ratio = [&](double range_m) {
-            try {
-                return seeing.reached(aspect.at(range_m, false));
-            } catch (const irsg::InputError& error) {
-                if (range_m < leastRefused_m) {
-                    leastRefused_m = range_m;
-                    refusal = error.what();
-                }
-                return 0.0;
-            }
-        };
-        const irsg::DetectionRange found = irsg::detectionRange(ratio, wanted, request.limits);
-        const TargetLook look = aspect.between(found);
-        double error_m = 0.0;
-        if (found.found == Found::atRange) {
-            error_m = request.limits.tolerance * found.range_m;
-            if (found.slope != 0.0 && look.counted_W_m2 != 0.0)
-                error_m = std::hypot(error_m, look.error_W_m2 / std::abs(look.counted_W_m2) *
-                                                  found.range_m / std::abs(found.slope));
-        }
-        const double extent =
-            std::sqrt(std::max(0.0, look.solidAngle_sr)) / request.sensor.pixelAngle_rad();
-        const bool isResolved = !isOfCycles && found.found != Found::nowhere && extent > 1.0;
-        never += found.found == Found::nowhere;
-        beyond += found.found == Found::beyond;
-        full += look.isFull;
-        resolved += isResolved;
-        const std::string warning =
-            warningOf({{found.found == Found::nowhere, "below the threshold at every range"},
-                       {found.found == Found::beyond, "above the threshold at the farthest range"},
-                       {isResolved, "an image larger than a pixel: the range is overstated"},
-                       {look.isFull, "a background that fills the pixels"}});
+    progress.total = plan.cases.size();
+    std::vector<std::vector<double>> rows;
+    std::vector<std::string> rowWarnings;
+    std::vector<FoundRange> found;
+    aspects.each({shared.scene}, progress, [&](const DetectionAspects::Case& one) {
+        const AspectRange seen = search.find(one.aspect);
+        const TargetLook& look = seen.look;
         std::vector<double> row;
         for (const irsg::Quantity quantity : plan.columns)
-            row.push_back(one.value(quantity));
-        row.insert(row.end(), {found.range_m, error_m, outcomeOf(found.found),
-                               static_cast<double>(found.crossings), look.snr(), look.contrast_W_m2,
-                               look.contrast_W_sr, look.nei_W_m2, extent});
-        if (isOfCycles)
+            row.push_back(one.place.value(quantity));
+        row.insert(row.end(), {seen.found.range_m, seen.error_m, seen.outcome(),
+                               static_cast<double>(seen.found.crossings), look.snr(),
+                               look.contrast_W_m2, look.contrast_W_sr, look.nei_W_m2, seen.extent});
+        if (sight.isOfCycles())
             row.insert(row.end(), {look.difference_K, look.cycles});
-        if (isOfCycles || request.pointProbability)
-            row.push_back(seeing.probability(look));
+        if (sight.isOfCycles() || request.pointProbability)
+            row.push_back(sight.probability(look));
         if (!shared.leftOut.empty())
             row.push_back(look.contrast_W_m2 == 0.0 ? 0.0
                                                     : 1.0 - look.counted_W_m2 / look.contrast_W_m2);
         if (request.measuresClutter)
-            row.push_back(clutter_K);
-        if (sensitivity)
-            std::ranges::copy(sensitivity->at(found, look, aspect, one, data, warnings),
+            row.insert(row.end(), {one.clutter.deviation_K, one.clutter.error_K});
+        if (sensitivity) {
+            found.push_back({one.place, seen.found, look});
+            std::ranges::copy(sensitivity->at(found.back(), one.aspect, data, aspects.warnings()),
                               std::back_inserter(row));
-        data.table.addRow(row, warning);
-        ++done;
+        }
+        rows.push_back(std::move(row));
+        rowWarnings.push_back(seen.warning());
+    });
+    if (sensitivity) {
+        const auto ofAir = sensitivity->ofAir(found, data, aspects.warnings());
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            std::ranges::copy(ofAir[i], std::back_inserter(rows[i]));
     }
-    irsg::appendUnique(data.warnings, warnings.sentences());
-    const auto tell = [&](std::size_t count, const char* what) {
-        if (count > 0)
-            data.warnings.push_back(fmt::format("{} of {} aspects {}", count, done, what));
-    };
-    tell(never, "are below the threshold at every range: their range is 0");
-    tell(beyond, "are above the threshold at the farthest range, which is given for them");
-    tell(resolved, "have an image larger than a pixel at that range: the ratio of a point, which "
-                   "collects the whole target in one pixel, overstates it");
-    tell(full, "have a background that fills the pixels: their noise is that of a larger well");
-    if (!refusal.empty())
-        data.warnings.push_back(fmt::format("nothing is seen over {} m or more: {}",
-                                            irsg::roundedText(leastRefused_m, 3), refusal));
-    if (done < plan.cases.size())
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        data.table.addRow(rows[i], rowWarnings[i]);
+    aspects.tellWarnings();
+    search.tell(data.warnings);
+    const bool isComplete = progress.done == plan.cases.size();
+    if (!isComplete)
         data.warnings.push_back(
-            fmt::format("stopped after {} of {} cases", done, plan.cases.size()));
-    data.state = done == plan.cases.size() ? AnalysisState::complete : AnalysisState::partial;
-    data.elapsed_s = elapsed_s();
-    tellDetection(data, shared, request, seeing);
+            fmt::format("stopped after {} of {} cases", progress.done, plan.cases.size()));
+    data.state = isComplete ? AnalysisState::complete : AnalysisState::partial;
+    data.elapsed_s = progress.elapsed_s();
+    tellDetection(data, shared, request, sight);
     summariseRanges(data);
     if (request.measuresClutter)
         data.summary.push_back(
             {"Clutter of the background, mean", meanOfNumbers(*data.table.find("clutter")), "K"});
     if (request.findsSensitivity)
-        summariseSensitivities(data, request);
+        summariseSensitivities(data, sensitivityNames(request, shared.scene));
 }
 
 } // namespace smat

@@ -1,17 +1,13 @@
 #include "smatcore/analysis/DetectionProbability.h"
 
 #include <algorithm>
-#include <chrono>
-#include <memory>
 
 #include <fmt/format.h>
 
-#include "irsg/core/AppendUnique.h"
 #include "irsg/core/Errors.h"
-#include "irsg/core/Wording.h"
+#include "smatcore/analysis/DetectionAspects.h"
 #include "smatcore/analysis/DetectionProvenance.h"
 #include "smatcore/analysis/SampleStatistics.h"
-#include "smatcore/analysis/TargetAspect.h"
 #include "smatcore/project/SceneScalings.h"
 #include "smatcore/settings/SettingKeys.h"
 
@@ -36,22 +32,31 @@ std::vector<SceneDescription> drawnScenes(AnalysisData& data, const SceneDescrip
     return scenes;
 }
 
-/// A row of the table: probabilities by aspect, then by draw.
+/// What is known at a range: the sums of the aspects that were looked at.
 struct AtRange {
-    std::vector<std::vector<double>> probabilities;
-    double reached = 0.0; ///< the mean
+    std::vector<double> byAspect, byDraw, reached;
+    std::vector<double> probabilities, ratios; ///< by draw, of the aspect at hand
+    std::string refusal;
 
-    std::vector<double> row(double range_m, bool hasDraws) const {
-        std::vector<double> byAspect, byDraw(probabilities.front().size());
-        for (const std::vector<double>& one : probabilities) {
-            byAspect.push_back(meanOf(one));
-            for (std::size_t draw = 0; draw < byDraw.size(); ++draw)
-                byDraw[draw] += one[draw] / static_cast<double>(probabilities.size());
-        }
+    /// An aspect counts with all of its draws.
+    void endAspect() {
+        byAspect.push_back(meanOf(probabilities));
+        reached.push_back(meanOf(ratios));
+        byDraw.resize(probabilities.size());
+        for (std::size_t draw = 0; draw < byDraw.size(); ++draw)
+            byDraw[draw] += probabilities[draw];
+        probabilities.clear();
+        ratios.clear();
+    }
+    std::vector<double> row(double range_m, std::size_t draws) const {
         std::vector<double> row = {range_m, meanOf(byAspect), std::ranges::min(byAspect),
-                                   std::ranges::max(byAspect), reached};
-        if (hasDraws)
-            row.push_back(standardDeviationOf(byDraw));
+                                   std::ranges::max(byAspect), meanOf(reached)};
+        if (draws > 0) {
+            std::vector<double> means = byDraw;
+            for (double& mean : means)
+                mean /= static_cast<double>(byAspect.size());
+            row.push_back(standardDeviationOf(means));
+        }
         return row;
     }
 };
@@ -61,12 +66,10 @@ struct AtRange {
 void runDetectionProbability(AnalysisData& data, const DetectionRequest& request,
                              const RenderDoor& door, const SceneFactory& scenes,
                              const RunControl& control) {
-    const auto start = std::chrono::steady_clock::now();
-    const auto elapsed_s = [&] {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    };
-    const DetectionScene shared(data, request, door, scenes);
-    TargetSight sight(request);
+    DetectionProgress progress(control);
+    DetectionAspects aspects(data, request, door, scenes);
+    const DetectionScene& shared = aspects.shared();
+    TargetSight& sight = aspects.sight();
     if (control.isRehearsal)
         return shared.check(request.ranges_m.front());
     ResultTable& table = data.table;
@@ -78,57 +81,41 @@ void runDetectionProbability(AnalysisData& data, const DetectionRequest& request
     if (request.draws > 0)
         table.add("deviation_probability", "");
 
-    CaseWarnings warnings;
     const std::vector<SceneDescription> drawn = drawnScenes(data, shared.scene, request.draws);
-    std::vector<std::unique_ptr<TargetAspect>> aspects; // by case, then by draw
+    progress.total = shared.plan.cases.size() * drawn.size();
+    std::vector<AtRange> all(request.ranges_m.size());
     std::vector<double> clutters_K;
-    for (const AnalysisCase& one : shared.plan.cases)
-        for (const SceneDescription& scene : drawn) {
-            aspects.push_back(
-                std::make_unique<TargetAspect>(shared, scene, sight, one, data, warnings));
-            if (request.measuresClutter)
-                clutters_K.push_back(aspects.back()->measureClutter(request.sensor));
-        }
-    std::size_t done = 0;
-    const std::size_t total = request.ranges_m.size() * aspects.size();
-    for (const double range_m : request.ranges_m) {
-        AtRange here;
-        std::string refusal;
-        for (std::size_t i = 0; i < aspects.size() && !control.stop.stop_requested(); ++i) {
-            const std::size_t number = i / drawn.size();
-            const std::string place =
-                fmt::format("{}, {} m", shared.plan.place(shared.plan.cases[number]),
-                            irsg::roundedText(range_m));
-            if (control.progress)
-                control.progress({done, total, elapsed_s(), "detection: " + place});
-            warnings.beginCase(place);
+    aspects.each(drawn, progress, [&](const DetectionAspects::Case& one) {
+        if (request.measuresClutter)
+            clutters_K.push_back(one.clutter.deviation_K);
+        for (std::size_t i = 0; i < all.size(); ++i) {
             TargetLook look;
             look.nei_W_m2 = 1.0; // of no signal the ratio is 0
             try {
-                look = aspects[i]->at(range_m, false);
+                look = one.aspect.at(request.ranges_m[i], false);
             } catch (const irsg::InputError& error) {
-                refusal = error.what();
+                all[i].refusal = error.what();
             }
-            if (i % drawn.size() == 0)
-                here.probabilities.emplace_back();
-            here.probabilities.back().push_back(sight.probability(look));
-            here.reached += sight.reached(look) / static_cast<double>(aspects.size());
-            ++done;
+            all[i].probabilities.push_back(sight.probability(look));
+            all[i].ratios.push_back(sight.reached(look));
+            if (one.drawn + 1 == drawn.size())
+                all[i].endAspect();
         }
-        if (control.stop.stop_requested())
-            break;
-        table.addRow(here.row(range_m, request.draws > 0),
-                     refusal.empty() ? "" : "nothing is seen from some aspects: " + refusal);
-    }
-    irsg::appendUnique(data.warnings, warnings.sentences());
-    if (table.rowCount() < request.ranges_m.size())
-        data.warnings.push_back(fmt::format("stopped after {} of {} ranges", table.rowCount(),
-                                            request.ranges_m.size()));
-    data.state = table.rowCount() == request.ranges_m.size() ? AnalysisState::complete
-                                                             : AnalysisState::partial;
-    data.elapsed_s = elapsed_s();
+    });
+    const std::size_t done = all.front().byAspect.size();
+    for (std::size_t i = 0; i < all.size() && done > 0; ++i)
+        table.addRow(
+            all[i].row(request.ranges_m[i], request.draws),
+            all[i].refusal.empty() ? "" : "nothing is seen from some aspects: " + all[i].refusal);
+    aspects.tellWarnings();
+    const bool isComplete = done == shared.plan.cases.size();
+    if (!isComplete)
+        data.warnings.push_back(
+            fmt::format("stopped after {} of {} aspects", done, shared.plan.cases.size()));
+    data.state = isComplete ? AnalysisState::complete : AnalysisState::partial;
+    data.elapsed_s = progress.elapsed_s();
     tellDetection(data, shared, request, sight);
-    table.provenance.add("detection.aspects", std::to_string(shared.plan.cases.size()));
+    table.provenance.add("detection.aspects", std::to_string(done));
     if (request.draws > 0)
         table.provenance.add("detection.draws", std::to_string(request.draws));
     if (!clutters_K.empty())

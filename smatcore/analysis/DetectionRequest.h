@@ -27,14 +27,49 @@ enum class RangeCriterion {
     targeting ///< the same with the cycles of the TTP metric
 };
 
+/// Which cases a range is sought for.
+enum class RangeCases {
+    aspects,   ///< those of a polar plot
+    directions ///< those of a signature table: azimuth and elevation
+};
+
+/// What ranges are compared over.
+enum class RangeAgainst {
+    wind,       ///< m/s, of a computed atmosphere with Navy maritime or desert aerosol
+    visibility, ///< m, of a computed atmosphere
+    humidity,   ///< %, of a computed atmosphere that follows measurements
+    hour,       ///< of the day, local solar time
+    band,       ///< of the sensor, um, within its spectra
+    paint       ///< of the target
+};
+
+/// The values that ranges are compared over.
+struct RangeComparison {
+    RangeAgainst against = RangeAgainst::wind;
+    /// Numbers; of bands "3.7-4.2"; of paints emissivities, or names of materials of the target's
+    /// database or of the library.
+    std::vector<std::string> values;
+    std::string paint; ///< the material of the target that another takes the place of
+    /// Of hours: where the sun goes its way; none: it stays.
+    struct Place {
+        std::string date; ///< "2025-06-21"
+        double latitude_deg = 0.0, longitude_deg = 0.0;
+    };
+    std::optional<Place> place;
+};
+
+/// "2025-06-21, 54.3, 10.1": a day, latitude and longitude in deg. Throws InputError that names
+/// `what`.
+RangeComparison::Place rangePlaceOf(const std::string& what, const std::string& text);
+
 /// A task of a criterion of cycles.
 struct RangeTask {
     double cyclesOfHalf = 0.75; ///< for a probability of 50 %; > 0
     double probability = 0.5;   ///< 0 to 1, both exclusive
 };
 
-/// How far a sensor sees the target over aspect: an analysis of the cases of a polar plot, in which
-/// the range of each is sought.
+/// How far a sensor sees the target: an analysis of the cases of a polar plot or a signature table,
+/// in which the range of each is sought.
 struct DetectionRequest {
     irsg::SensorDescription sensor;
     std::filesystem::path sensorFile; ///< that it is from; for provenance and command
@@ -47,10 +82,13 @@ struct DetectionRequest {
     /// apparent temperature, which is noise as well.
     double clutter_K = 0.0;
     /// Of points: the same of the background's own pixels about the target, at the range of each
-    /// case (backgroundClutter), in place of a number.
+    /// case (BackgroundClutter), in place of a number.
     bool measuresClutter = false;
     /// Adds how sensitive the range is to each number of sensor, air and signature.
     bool findsSensitivity = false;
+    RangeCases cases = RangeCases::aspects;
+    /// In place of a row for each case one for each of these values, of all cases.
+    std::optional<RangeComparison> comparison;
     /// Where the probability is looked at, m, > 0, in place of the search of a range; empty: the
     /// range is sought.
     std::vector<double> ranges_m;
@@ -73,11 +111,15 @@ struct DetectionRequest {
 
 /// The kind of its results.
 AnalysisKind detectionKind();
+/// The analysis that has such cases.
+AnalysisKind kindOf(RangeCases cases);
 
 /// Words of places and tasks, as commands have them.
-const std::vector<std::string>& pointPlaceWords(); ///< "centre", ... by PointPlace
-const std::vector<std::string>& criterionWords();  ///< "point", "johnson", "ttp"
-std::vector<std::string> rangeTaskWords();         ///< "detection", ... of every criterion
+const std::vector<std::string>& pointPlaceWords();   ///< "centre", ... by PointPlace
+const std::vector<std::string>& criterionWords();    ///< "point", "johnson", "ttp"
+const std::vector<std::string>& rangeCasesWords();   ///< "aspects", "directions"
+const std::vector<std::string>& rangeAgainstWords(); ///< "wind", "visibility", ...
+std::vector<std::string> rangeTaskWords();           ///< "detection", ... of every criterion
 /// The tasks of a criterion of cycles, and its law of probability.
 const std::vector<irsg::JohnsonTask>& tasksOf(RangeCriterion criterion);
 const irsg::TaskLaw& lawOf(RangeCriterion criterion);

@@ -7,8 +7,10 @@
 #include <map>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "irsg/core/Errors.h"
+#include "smatcore/analysis/ChangedAir.h"
 #include "smatcore/project/SceneScalings.h"
 
 namespace smat {
@@ -125,6 +127,61 @@ SceneDescription scaled(const SceneDescription& scene, irsg::ScalingKind kind, d
     return out;
 }
 
+/// A number of computed atmospheres, with the relative change to both sides.
+struct AirNumber {
+    const char* key;
+    const char* title;
+    double step;
+    /// Multiplies it; false where the atmosphere has none.
+    bool (*scale)(irsg::AtmosphereSmartParameters& air, double factor);
+};
+
+constexpr double ice_K = 273.15;
+
+const std::vector<AirNumber>& airNumbers() {
+    using Air = irsg::AtmosphereSmartParameters;
+    constexpr int byMeasurements = 2;
+    static const std::vector<AirNumber> all = {
+        {"visibility", "visibility of the atmosphere", step,
+         [](Air& air, double factor) {
+             air.visibility_m *= factor;
+             return air.visibility_m > 0.0 && air.aerosols != 0;
+         }},
+        {"humidity", "humidity of the atmosphere", step,
+         [](Air& air, double factor) {
+             (air.meteoModel == byMeasurements ? air.relativeHumidityMH_percent : air.waterScale) *=
+                 factor;
+             return true;
+         }},
+        {"air_temperature", "temperature of the air", targetStep, [](Air& air, double factor) {
+             for (double* measured_C : {&air.temperatureMH_C, &air.temperatureALT0_C})
+                 *measured_C = (*measured_C + ice_K) * factor - ice_K;
+             return air.meteoModel == byMeasurements;
+         }}};
+    return all;
+}
+
+/// None where no atmosphere has it.
+std::optional<irsg::Environment> scaledAir(const irsg::Environment& environment,
+                                           const AirNumber& number, double factor) {
+    return withAir(environment,
+                   [&](irsg::AtmosphereSmartParameters& air) { return number.scale(air, factor); });
+}
+
+std::vector<const AirNumber*> airNumbersOf(const irsg::Environment& environment) {
+    std::vector<const AirNumber*> found;
+    for (const AirNumber& number : airNumbers())
+        if (scaledAir(environment, number, 1.0))
+            found.push_back(&number);
+    return found;
+}
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+bool hasSlope(const irsg::DetectionRange& found) {
+    return found.found == irsg::DetectionRange::Found::atRange && found.slope != 0.0;
+}
+
 /// d ln q / d ln p of values at (1 - h) p and (1 + h) p.
 double relativeSlope(double less, double more, double h) {
     return std::log(more / less) / std::log((1.0 + h) / (1.0 - h));
@@ -132,13 +189,16 @@ double relativeSlope(double less, double more, double h) {
 
 } // namespace
 
-std::vector<SensitivityName> sensitivityNames(const DetectionRequest& request) {
+std::vector<SensitivityName> sensitivityNames(const DetectionRequest& request,
+                                              const SceneDescription& scene) {
     std::vector<SensitivityName> names;
     for (const Number* number : numbersOf(request))
         names.push_back({number->key, number->title});
     names.push_back({"extinction", "extinction of the atmosphere"});
     names.push_back({"temperature", "temperatures of the target"});
     names.push_back({"emissivity", "emissivities of the target"});
+    for (const AirNumber* number : airNumbersOf(scene.environment))
+        names.push_back({number->key, number->title});
     return names;
 }
 
@@ -155,20 +215,32 @@ RangeSensitivity::RangeSensitivity(const DetectionScene& shared, const Detection
                              std::make_unique<Variant>(changed(request, *number, 1.0 + step))});
 }
 
-std::vector<double> RangeSensitivity::at(const irsg::DetectionRange& found, const TargetLook& look,
-                                         TargetAspect& aspect, const AnalysisCase& one,
+double RangeSensitivity::margin(TargetLook look) const {
+    sight_->see(look);
+    return sight_->reached(look) / sight_->wanted();
+}
+
+double RangeSensitivity::marginIn(const SceneDescription& scene, const FoundRange& found,
+                                  AnalysisData& data, CaseWarnings& warnings) const {
+    TargetAspect other(shared_, scene, *sight_, found.place, data, warnings);
+    TargetLook seen = other.at(found.found.range_m, false);
+    seen.clutter_W_m2_sr = found.look.clutter_W_m2_sr;
+    return margin(seen);
+}
+
+std::vector<double> RangeSensitivity::at(const FoundRange& one, TargetAspect& aspect,
                                          AnalysisData& data, CaseWarnings& warnings) const {
-    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    const irsg::DetectionRange& found = one.found;
     std::vector<double> out(variants_.size() + 3, none);
-    if (found.found != irsg::DetectionRange::Found::atRange || found.slope == 0.0)
+    if (!hasSlope(found))
         return out;
-    const auto margin = [](TargetSight& sight, TargetLook seen) {
-        sight.see(seen);
-        return sight.reached(seen) / sight.wanted();
+    const auto marginOf = [&](Variant& variant) {
+        TargetLook seen = one.look;
+        variant.sight.see(seen);
+        return variant.sight.reached(seen) / variant.sight.wanted();
     };
     for (std::size_t i = 0; i < variants_.size(); ++i)
-        out[i] = -relativeSlope(margin(variants_[i].less->sight, look),
-                                margin(variants_[i].more->sight, look), step) /
+        out[i] = -relativeSlope(marginOf(*variants_[i].less), marginOf(*variants_[i].more), step) /
                  found.slope;
     // Of a longer path as thick air makes it: the target as large as it is here.
     const auto thicker = [&](double factor) {
@@ -176,25 +248,45 @@ std::vector<double> RangeSensitivity::at(const irsg::DetectionRange& found, cons
         for (double TargetLook::*const part :
              {&TargetLook::contrast_W_m2, &TargetLook::counted_W_m2, &TargetLook::solidAngle_sr})
             seen.*part *= factor * factor;
-        return margin(*sight_, seen);
+        return margin(seen);
     };
-    const auto scaledTarget = [&](const SceneDescription& scene) {
-        TargetAspect other(shared_, scene, *sight_, one, data, warnings);
-        TargetLook seen = other.at(found.range_m, false);
-        seen.clutter_W_m2_sr = look.clutter_W_m2_sr;
-        return margin(*sight_, seen);
+    const auto ofTarget = [&](const BothSides<SceneDescription>& scenes) {
+        return -relativeSlope(marginIn(scenes.less, one, data, warnings),
+                              marginIn(scenes.more, one, data, warnings), targetStep) /
+               found.slope;
     };
     try {
         const std::size_t first = variants_.size();
         out[first] = -relativeSlope(thicker(1.0 - step), thicker(1.0 + step), step) / found.slope;
-        out[first + 1] = -relativeSlope(scaledTarget(temperature_.less),
-                                        scaledTarget(temperature_.more), targetStep) /
-                         found.slope;
-        out[first + 2] = -relativeSlope(scaledTarget(emissivity_.less),
-                                        scaledTarget(emissivity_.more), targetStep) /
-                         found.slope;
+        out[first + 1] = ofTarget(temperature_);
+        out[first + 2] = ofTarget(emissivity_);
     } catch (const irsg::InputError& error) {
         warnings.add(std::string("sensitivities that the scene refuses: ") + error.what());
+    }
+    return out;
+}
+
+std::vector<std::vector<double>> RangeSensitivity::ofAir(const std::vector<FoundRange>& all,
+                                                         AnalysisData& data,
+                                                         CaseWarnings& warnings) const {
+    std::vector<std::vector<double>> out(all.size());
+    for (const AirNumber* number : airNumbersOf(shared_.scene.environment)) {
+        std::vector<double> less(all.size(), none), more = less;
+        for (auto& [values, factor] : {std::pair<std::vector<double>&, double>(less, -1.0),
+                                       std::pair<std::vector<double>&, double>(more, 1.0)})
+            try {
+                SceneDescription scene = shared_.scene;
+                scene.environment =
+                    *scaledAir(scene.environment, *number, 1.0 + factor * number->step);
+                for (std::size_t i = 0; i < all.size(); ++i)
+                    if (hasSlope(all[i].found))
+                        values[i] = marginIn(scene, all[i], data, warnings);
+            } catch (const irsg::InputError& error) {
+                warnings.add(std::string("sensitivities that the atmosphere refuses: ") +
+                             error.what());
+            }
+        for (std::size_t i = 0; i < all.size(); ++i)
+            out[i].push_back(-relativeSlope(less[i], more[i], number->step) / all[i].found.slope);
     }
     return out;
 }

@@ -16,24 +16,38 @@ struct SensitivityName {
 };
 
 /// What a range is looked at for: the numbers of the sensor that are not 0, its threshold, clutter,
-/// then `extinction` of the atmosphere, `temperature` and `emissivity` of the target.
-std::vector<SensitivityName> sensitivityNames(const DetectionRequest& request);
+/// then `extinction` of the atmosphere, `temperature` and `emissivity` of the target, and of
+/// computed atmospheres `visibility` where it is given, `humidity` (that of the measurements, else
+/// all water vapour) and `air_temperature` (of measurements, in K).
+std::vector<SensitivityName> sensitivityNames(const DetectionRequest& request,
+                                              const SceneDescription& scene);
+
+/// A case at the range that was found.
+struct FoundRange {
+    AnalysisCase place;
+    irsg::DetectionRange found;
+    TargetLook look;
+};
 
 /// The relative change of a range per relative change of each number, d ln R / d ln p, in their
 /// order: the change of ratio or cycles with the number at that range through their change with the
 /// range. Of numbers of the sensor by a central difference of 1 % with the target's contrast as it
 /// is; of the extinction by that of the path's length, which is the same along a path in one air;
 /// of temperatures in K and emissivities of the first entity by drawings with scales of 0.998 and
-/// 1.002 (the emission of a material, whose reflection stays). NaN where no range was found.
-/// Throws InputError.
+/// 1.002 (the emission of a material, whose reflection stays); of the atmosphere's parameters by
+/// new atmospheres, with all that follows from them (path, background, reflected light, surface
+/// temperatures that go with the air's), but the same clutter. NaN where no range was found. Throws
+/// InputError.
 class RangeSensitivity {
   public:
     RangeSensitivity(const DetectionScene& shared, const DetectionRequest& request);
 
-    /// `look` is that of `aspect`, of the case `one`, at the range that was found.
-    std::vector<double> at(const irsg::DetectionRange& found, const TargetLook& look,
-                           TargetAspect& aspect, const AnalysisCase& one, AnalysisData& data,
+    /// All but those of the atmosphere's parameters. `aspect` is that of the case.
+    std::vector<double> at(const FoundRange& found, TargetAspect& aspect, AnalysisData& data,
                            CaseWarnings& warnings) const;
+    /// Those, the case number by number: an atmosphere is computed once for all cases.
+    std::vector<std::vector<double>> ofAir(const std::vector<FoundRange>& all, AnalysisData& data,
+                                           CaseWarnings& warnings) const;
 
   private:
     /// A request with one number changed, and what its sensor sees.
@@ -46,6 +60,10 @@ class RangeSensitivity {
     struct BothSides {
         Value less, more;
     };
+
+    double margin(TargetLook look) const;
+    double marginIn(const SceneDescription& scene, const FoundRange& found, AnalysisData& data,
+                    CaseWarnings& warnings) const;
 
     const DetectionScene& shared_;
     const DetectionRequest& request_;

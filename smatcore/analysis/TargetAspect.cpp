@@ -52,11 +52,20 @@ std::vector<LeftOut> leftOutOf(const SceneDescription& scene,
     return out;
 }
 
-/// The settings of a detection: those of a polar plot.
-AnalysisPlan planOf(AnalysisData& data) {
-    // What a polar plot says of where its cases are holds here, too.
-    data.kind = AnalysisKind::polar;
-    return planAnalysis(data.kind, data.project, withFixedSteps(data.kind, data.settings));
+/// The settings of a detection: those of a polar plot, or of a signature table.
+AnalysisPlan planOf(AnalysisData& data, RangeCases cases) {
+    // What these say of where their cases are holds here, too.
+    data.kind = kindOf(cases);
+    AnalysisPlan plan =
+        planAnalysis(data.kind, data.project, withFixedSteps(data.kind, data.settings));
+    if (cases == RangeCases::directions) {
+        if (plan.isAlongRange)
+            throw irsg::InputError({"", "table.ranges", data.settings.text("table.ranges"),
+                                    "as-set: the range of each direction is sought"});
+        // The range of a case is where clutter is measured, no part of where it is.
+        plan.columns = plan.axes;
+    }
+    return plan;
 }
 
 SceneDescription sceneOf(AnalysisData& data, const DetectionRequest& request,
@@ -83,7 +92,7 @@ SceneDescription sceneOf(AnalysisData& data, const DetectionRequest& request,
 DetectionScene::DetectionScene(AnalysisData& data, const DetectionRequest& request,
                                const RenderDoor& theDoor, const SceneFactory& scenes)
     : door(theDoor),
-      plan(planOf(data)),
+      plan(planOf(data, request.cases)),
       scene(sceneOf(data, request, scenes)),
       placer(door, scene),
       leftOut(leftOutOf(scene, request.leftOut)) {
@@ -110,12 +119,15 @@ TargetAspect::TargetAspect(const DetectionScene& shared, const SceneDescription&
       data_(data),
       warnings_(warnings) {}
 
-double TargetAspect::measureClutter(const irsg::SensorDescription& sensor) {
-    const MeasuredClutter measured =
-        backgroundClutter(shared_.placer.place(scene_, case_), shared_.door, sensor);
+std::pair<double, double> TargetAspect::takeClutter(BackgroundClutter& clutter) {
+    const MeasuredClutter measured = clutter.of(shared_.placer.place(scene_, case_));
     clutter_W_m2_sr_ = measured.deviation_W_m2_sr;
+    clutterError_W_m2_sr_ = measured.error_W_m2_sr;
     known_.clear();
-    return sight_.temperatureDifference_K(measured.deviation_W_m2_sr, measured.background_W_m2_sr);
+    const auto inKelvin = [&](double radiance_W_m2_sr) {
+        return sight_.temperatureDifference_K(radiance_W_m2_sr, measured.background_W_m2_sr);
+    };
+    return {inKelvin(measured.deviation_W_m2_sr), inKelvin(measured.error_W_m2_sr)};
 }
 
 TargetLook TargetAspect::at(double range_m, bool withErrors) {
@@ -149,6 +161,7 @@ TargetLook TargetAspect::at(double range_m, bool withErrors) {
         look.error_W_m2 = report.all.errors->irradiance_W_m2.sum();
     look.background_W_m2_sr = report.background_W_m2_sr;
     look.clutter_W_m2_sr = clutter_W_m2_sr_;
+    look.clutterError_W_m2_sr = clutterError_W_m2_sr_;
     sight_.see(look);
     return known_[key] = look;
 }
@@ -174,7 +187,7 @@ TargetLook TargetAspect::between(const irsg::DetectionRange& found) {
     for (double TargetLook::*const member :
          {&TargetLook::contrast_W_m2, &TargetLook::contrast_W_sr, &TargetLook::counted_W_m2,
           &TargetLook::solidAngle_sr, &TargetLook::nei_W_m2, &TargetLook::difference_K,
-          &TargetLook::cycles, &TargetLook::background_W_m2_sr})
+          &TargetLook::cycles, &TargetLook::background_W_m2_sr, &TargetLook::noiseError})
         look.*member = mean(member);
     look.clutter_W_m2_sr = clutter_W_m2_sr_;
     look.isFull = std::ranges::any_of(looks, &TargetLook::isFull);

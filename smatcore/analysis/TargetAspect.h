@@ -17,6 +17,8 @@
 
 namespace smat {
 
+class BackgroundClutter;
+
 /// The surfaces of an object that do not count.
 struct LeftOut {
     std::set<int> temperatures, materials;
@@ -48,10 +50,10 @@ class TargetAspect {
     TargetAspect(const DetectionScene& shared, const SceneDescription& scene, TargetSight& sight,
                  AnalysisCase one, AnalysisData& data, CaseWarnings& warnings);
 
-    /// Takes the clutter of the background's own pixels about the target, at the range of the case,
-    /// as noise from now on (backgroundClutter). Returns it as an apparent temperature difference,
-    /// K. Throws InputError.
-    double measureClutter(const irsg::SensorDescription& sensor);
+    /// Takes the clutter of the background about the target, at the range of the case, as noise
+    /// from now on. Returns it as an apparent temperature difference, K, with its error at two
+    /// standard deviations. Throws InputError.
+    std::pair<double, double> takeClutter(BackgroundClutter& clutter);
 
     /// Throws InputError for a range that the scene refuses.
     TargetLook at(double range_m, bool withErrors);
@@ -66,7 +68,7 @@ class TargetAspect {
     AnalysisCase case_;
     AnalysisData& data_;
     CaseWarnings& warnings_;
-    double clutter_W_m2_sr_ = 0.0;
+    double clutter_W_m2_sr_ = 0.0, clutterError_W_m2_sr_ = 0.0;
     std::map<std::pair<double, bool>, TargetLook> known_;
 };
 

@@ -56,9 +56,11 @@ TargetSight::TargetSight(const DetectionRequest& request)
 void TargetSight::see(TargetLook& look) {
     const Background& behind = background(look.background_W_m2_sr);
     look.isFull = behind.isFull;
-    look.nei_W_m2 = std::hypot(behind.noise.total(), behind.clutter,
-                               look.clutter_W_m2_sr * response_.signalPerRadiance()) /
-                    (response_.signalPerIrradiance() * energy_);
+    const double clutter = look.clutter_W_m2_sr * response_.signalPerRadiance();
+    const double noise = std::hypot(behind.noise.total(), behind.clutter, clutter);
+    look.nei_W_m2 = noise / (response_.signalPerIrradiance() * energy_);
+    look.noiseError =
+        clutter * look.clutterError_W_m2_sr * response_.signalPerRadiance() / (noise * noise);
     if (!isOfCycles() || look.solidAngle_sr <= 0.0)
         return;
     look.difference_K = std::abs(look.counted_W_m2) / look.solidAngle_sr *

@@ -17,8 +17,10 @@ struct TargetLook {
     double contrast_W_m2 = 0.0, contrast_W_sr = 0.0, error_W_m2 = 0.0;
     double counted_W_m2 = 0.0, solidAngle_sr = 0.0; ///< of the surfaces that count
     double background_W_m2_sr = 0.0;
-    double clutter_W_m2_sr = 0.0; ///< of the background's own pixels
+    /// Of the background's own pixels, with the error of that number.
+    double clutter_W_m2_sr = 0.0, clutterError_W_m2_sr = 0.0;
     double nei_W_m2 = 0.0;
+    double noiseError = 0.0;                 ///< of it, relative, by that of the clutter
     double difference_K = 0.0, cycles = 0.0; ///< of criteria of cycles
     bool isFull = false;                     ///< the pixel, of the background alone
     double snr() const { return std::abs(contrast_W_m2) / nei_W_m2; }

@@ -17,6 +17,7 @@
 #include "smatcore/simulate/ScenarioFile.h"
 #include "smatcore/support/TextFile.h"
 #include "tests/core/AnalyticSource.h"
+#include "tests/support/SmallSensor.h"
 #include "tests/support/TemporaryFolder.h"
 
 namespace smat {
@@ -140,18 +141,9 @@ TEST_F(ASimulation, PutsEverybodyWhereTheyAreAtEachTime) {
 
 /// A sensor of 24 x 20 pixels with the noise of its photons alone.
 irsg::SensorDescription counting() {
-    irsg::SensorDescription sensor;
+    irsg::SensorDescription sensor = test::smallSensor();
     sensor.title = "counting";
-    sensor.optics.aperture_m = 0.05;
-    sensor.optics.focalLength_m = 0.2;
-    sensor.optics.transmission = irsg::Spectrum::constant(0.8);
-    sensor.detector.pitch_um = 20.0;
-    sensor.detector.columns = 24;
-    sensor.detector.rows = 20;
-    sensor.detector.integrationTime_s = 1e-3;
-    sensor.detector.response = irsg::Spectrum::constant(0.7);
-    sensor.detector.band = {4.0, 4.1};
-    sensor.detector.well_e = 5e6;
+    sensor.electronics.readNoise_e = 0.0;
     sensor.electronics.gain = 1.0;
     sensor.electronics.bits = 24;
     return sensor;

@@ -108,11 +108,32 @@ def test_probabilities_and_sensitivities_are_those_of_the_command_line(sensor, f
     assert ours.table["sensitivity_threshold"] == pytest.approx(-0.5, abs=1e-3)
 
 
+def test_directions_and_comparisons_are_those_of_the_command_line(sensor, file, samples, batch, tmp_path):
+    box = samples / "box" / "box.smat"
+    words = ("detection", box, "--sensor", file, "--background-temperature", 290)
+    batch(*words, "--cases", "directions", "--set", "table.azimuthStep=90", "--set", "table.elevationStep=90",
+          "--set", "table.elevationFrom=0", "--out", tmp_path / "t.csv")
+    ours = smat.Project(box).detection(
+        sensor, cases="directions", azimuth_step=90, elevation_step=90, elevation_from=0, background_temperature_K=290
+    )
+    assert np.array_equal(ours.table.to_numpy(), smat.Table.load(tmp_path / "t.csv").to_numpy())
+    assert list(ours.table.keys())[:3] == ["azimuth", "elevation", "detection_range"]
+    batch(*words, "--step", 180, "--against", "paint", "--paint", "black", "--values", "0.5,1", "--out", tmp_path / "a.csv")
+    ours = smat.Project(box).detection(
+        sensor, against="paint", paint="black", values=[0.5, 1], step=180, background_temperature_K=290
+    )
+    assert np.array_equal(ours.table.to_numpy(), smat.Table.load(tmp_path / "a.csv").to_numpy())
+    assert ours.table["detection_range"][0] < ours.table["detection_range"][1]
+
+
 @pytest.mark.parametrize(
     "wrong, named",
     [({"snr": 0}, "snr"), ({"criterion": "luck"}, "johnson"), ({"point": "side"}, "corner"), ({"false_alarms": 0.5}, "false alarm"),
      ({"task": "guess", "criterion": "johnson"}, "recognition"), ({"probability": 1.0, "criterion": "johnson"}, "probability"),
      ({"nearest_m": 10, "farthest_m": 5}, "range"), ({"background_temperature_K": -1}, "background_temperature_K"),
+     ({"cases": "all"}, "directions"), ({"values": [1]}, "values"), ({"against": "tide", "values": [1]}, "wind"),
+     ({"against": "wind", "values": [5]}, "AtmosphereSmart"), ({"against": "paint", "values": [0.5]}, "paint"),
+     ({"against": "hour", "values": [5], "sun_of": "today"}, "sun_of"), ({"against": "hour"}, "values"),
      ({"clutter_K": "much"}, "auto"), ({"draws": 3}, "ranges_m"), ({"ranges_m": [0.0]}, "ranges_m")],
 )
 def test_wrong_questions_are_refused_by_name(sensor, samples, wrong, named):

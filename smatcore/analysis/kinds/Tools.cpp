@@ -38,7 +38,8 @@ extern constinit const AnalysisDefinition simulationTool{
 extern constinit const AnalysisDefinition detectionTool{
     .name = "detection",
     .title = "Detection range",
-    .help = "How far a sensor sees the target, over one turn",
+    .help = "How far a sensor sees the target, over one turn or all directions, or against wind, "
+            "hour, band or paint",
     .icon = "sensor",
     .form = AnalysisForm::table};
 

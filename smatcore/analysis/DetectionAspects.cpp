@@ -1,0 +1,122 @@
+#include "smatcore/analysis/DetectionAspects.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "irsg/core/AppendUnique.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/Wording.h"
+
+namespace smat {
+
+namespace {
+
+using Found = irsg::DetectionRange::Found;
+
+} // namespace
+
+DetectionAspects::DetectionAspects(AnalysisData& data, const DetectionRequest& request,
+                                   const RenderDoor& door, const SceneFactory& scenes)
+    : data_(data), request_(request), shared_(data, request, door, scenes), sight_(request) {
+    if (request.measuresClutter)
+        clutter_.emplace(door, request.sensor);
+}
+
+void DetectionAspects::each(const std::vector<SceneDescription>& drawn, DetectionProgress& progress,
+                            const std::function<void(const Case&)>& use,
+                            const std::string& prefix) {
+    const RunControl& control = progress.control;
+    for (std::size_t i = 0; i < shared_.plan.cases.size(); ++i)
+        for (std::size_t draw = 0; draw < drawn.size(); ++draw) {
+            if (control.stop.stop_requested())
+                return;
+            const AnalysisCase& one = shared_.plan.cases[i];
+            const std::string place = prefix + shared_.plan.place(one);
+            if (control.progress)
+                control.progress(
+                    {progress.done, progress.total, progress.elapsed_s(), "detection: " + place});
+            warnings_.beginCase(place);
+            TargetAspect aspect(shared_, drawn[draw], sight_, one, data_, warnings_);
+            ClutterOfAspect clutter;
+            if (clutter_)
+                std::tie(clutter.deviation_K, clutter.error_K) = aspect.takeClutter(*clutter_);
+            use({i, draw, one, aspect, clutter});
+            ++progress.done;
+        }
+}
+
+void DetectionAspects::tellWarnings() {
+    irsg::appendUnique(data_.warnings, warnings_.sentences());
+}
+
+double AspectRange::outcome() const {
+    return found.found == Found::atRange ? 0.0 : found.found == Found::beyond ? 1.0 : -1.0;
+}
+
+std::string AspectRange::warning() const {
+    std::string text;
+    for (const auto& [isSo, words] :
+         {std::pair(found.found == Found::nowhere, "below the threshold at every range"),
+          {found.found == Found::beyond, "above the threshold at the farthest range"},
+          {isResolved, "an image larger than a pixel: the range is overstated"},
+          {look.isFull, "a background that fills the pixels"}})
+        if (isSo)
+            text += (text.empty() ? "" : "; ") + std::string(words);
+    return text;
+}
+
+double RangeSearch::ratio(TargetAspect& aspect, double range_m) {
+    try {
+        return sight_.reached(aspect.at(range_m, false));
+    } catch (const irsg::InputError& error) {
+        if (range_m < leastRefused_m_) {
+            leastRefused_m_ = range_m;
+            refusal_ = error.what();
+        }
+        return 0.0;
+    }
+}
+
+AspectRange RangeSearch::find(TargetAspect& aspect) {
+    (void)aspect.at(request_.limits.nearest_m, false); // refuses what no range would change
+    AspectRange one;
+    one.found = irsg::detectionRange([&](double range_m) { return ratio(aspect, range_m); },
+                                     wanted_, request_.limits);
+    one.look = aspect.between(one.found);
+    const irsg::DetectionRange& found = one.found;
+    const TargetLook& look = one.look;
+    if (found.found == Found::atRange) {
+        one.error_m = request_.limits.tolerance * found.range_m;
+        if (found.slope != 0.0 && look.counted_W_m2 != 0.0)
+            one.error_m = std::hypot(
+                one.error_m, std::hypot(look.error_W_m2 / look.counted_W_m2, look.noiseError) *
+                                 found.range_m / found.slope);
+    }
+    one.extent = std::sqrt(std::max(0.0, look.solidAngle_sr)) / request_.sensor.pixelAngle_rad();
+    one.isResolved = !sight_.isOfCycles() && found.found != Found::nowhere && one.extent > 1.0;
+    ++done_;
+    never_ += found.found == Found::nowhere;
+    beyond_ += found.found == Found::beyond;
+    full_ += look.isFull;
+    resolved_ += one.isResolved;
+    return one;
+}
+
+void RangeSearch::tell(std::vector<std::string>& warnings) const {
+    for (const auto& [count, what] :
+         {std::pair(never_, "are below the threshold at every range: their range is 0"),
+          {beyond_, "are above the threshold at the farthest range, which is given for them"},
+          {resolved_, "have an image larger than a pixel at that range: the ratio of a point, "
+                      "which collects the whole target in one pixel, overstates it"},
+          {full_, "have a background that fills the pixels: their noise is that of a larger "
+                  "well"}})
+        if (count > 0)
+            warnings.push_back(fmt::format("{} of {} aspects {}", count, done_, what));
+    if (!refusal_.empty())
+        warnings.push_back(fmt::format("nothing is seen over {} m or more: {}",
+                                       irsg::roundedText(leastRefused_m_, 3), refusal_));
+}
+
+} // namespace smat
