@@ -63,8 +63,10 @@ void TablePanel::fillBar() {
                                (unit.isEmpty() ? QString() : " (" + unit + ")"),
                            QString::fromStdString(variable.name));
     }
-    const int contrast = quantity_->findData(QStringLiteral("contrast_intensity"));
-    quantity_->setCurrentIndex(std::max(contrast, 0));
+    int usual = quantity_->findData(QStringLiteral("detection_range"));
+    if (usual < 0)
+        usual = quantity_->findData(QStringLiteral("contrast_intensity"));
+    quantity_->setCurrentIndex(std::max(usual, 0));
     flow->first()->addWidget(quantity_);
     band_ = box("tableBand", tr("Band"));
     for (const std::string& band : variables_.bands)

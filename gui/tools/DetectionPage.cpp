@@ -14,9 +14,8 @@
 #include <QVBoxLayout>
 
 #include "gui/analysis/SummaryText.h"
-#include "gui/plot/PlotPanel.h"
-#include "gui/plot/PolarPlot.h"
-#include "gui/plot/ResultPlot.h"
+#include "gui/tools/DetectionCasesBox.h"
+#include "gui/tools/DetectionPlot.h"
 #include "gui/tools/SensorChooser.h"
 #include "gui/widgets/NumberBoxes.h"
 #include "gui/widgets/Sentences.h"
@@ -64,9 +63,9 @@ DetectionPage::DetectionPage(Workbench& workbench, Dialogs dialogs, QWidget* par
     for (RealBox* box : {snr_, falseAlarms_, clutter_, pointProbability_, probability_,
                          sceneContrast_, nearest_, farthest_, background_, step_})
         connect(box, &QDoubleSpinBox::valueChanged, this, &DetectionPage::refresh);
+    connect(cases_, &DetectionCasesBox::changed, this, &DetectionPage::refresh);
     connect(sensitivity_, &QCheckBox::toggled, this, &DetectionPage::refresh);
     connect(leftOut_->menu(), &QMenu::aboutToShow, this, &DetectionPage::fillLeftOut);
-    connect(quantity_, &QComboBox::activated, this, &DetectionPage::drawResult);
     layOut(form, 340, tr("Stops and keeps the aspects that are done"), right);
 }
 
@@ -76,6 +75,8 @@ QWidget* DetectionPage::makeForm() {
     column->setContentsMargins(10, 10, 10, 10);
     column->addWidget(makeSensorBox(panel));
     column->addWidget(makeCriterionBox(panel));
+    cases_ = new DetectionCasesBox(panel);
+    column->addWidget(cases_);
     column->addWidget(makePlaceBox(panel));
     column->addStretch();
     return panel;
@@ -158,10 +159,10 @@ QWidget* DetectionPage::makeCriterionBox(QWidget* parent) {
 
 QWidget* DetectionPage::makePlaceBox(QWidget* parent) {
     auto* box = new QGroupBox(tr("Where it is looked for"), parent);
-    QFormLayout* form = formOf(box);
+    QFormLayout* form = places_ = formOf(box);
     step_ = boxOf("aspectStep", "deg", {0.1, 90.0, 10.0, 3}, box);
     step_->setToolTip(tr("Between two aspects. Type, elevation and sector are those of the "
-                         "project's polar plot."));
+                         "project's polar plot; directions are those of its signature table."));
     nearest_ = boxOf("nearest", "m", {0.1, 1e9, 100.0, 1}, box);
     farthest_ = boxOf("farthest", "m", {0.1, 1e9, 1e6, 1}, box);
     background_ = boxOf("backgroundTemperature", "K", {0.0, 5000.0, 0.0, 2}, box);
@@ -184,22 +185,29 @@ QWidget* DetectionPage::makeRight() {
     auto* right = new QWidget(this);
     auto* column = new QVBoxLayout(right);
     column->setContentsMargins(0, 0, 0, 0);
-    plot_ = new PlotPanel(PlotKind::polar, dialogs_, right);
-    quantity_ = new QComboBox(plot_);
-    quantity_->setObjectName("quantity");
-    quantity_->setMinimumWidth(90);
-    quantity_->setToolTip(tr("Quantity that is drawn"));
-    plot_->addInFront(quantity_);
+    plot_ = new DetectionPlot(dialogs_, right);
     summary_ = new QLabel(right);
     summary_->setObjectName("summary");
     summary_->setWordWrap(true);
     summary_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     summary_->setContentsMargins(12, 6, 12, 8);
-    summary_->setText(tr("The range at which the sensor just sees the target, over its aspect, "
-                         "is drawn here once it was calculated."));
+    summary_->setText(tr("The range at which the sensor just sees the target is drawn here once it "
+                         "was calculated."));
     column->addWidget(plot_, 1);
     column->addWidget(summary_);
     return right;
+}
+
+const PlotPanel& DetectionPage::plot() const {
+    return plot_->plot();
+}
+
+const TablePanel* DetectionPage::table() const {
+    return plot_->table();
+}
+
+const Exportable& DetectionPage::content() const {
+    return *plot_;
 }
 
 DetectionRequest DetectionPage::request() const {
@@ -213,21 +221,24 @@ DetectionRequest DetectionPage::request() const {
     request.threshold = thresholdBy_->currentIndex() == 0
                             ? snr_->value()
                             : thresholdOfFalseAlarms(std::pow(10.0, falseAlarms_->value()));
-    if (isPoint && pointProbability_->value() > 0.0)
+    cases_->fill(request);
+    if (isPoint && cases_->seeksRange() && pointProbability_->value() > 0.0)
         request.pointProbability = 0.01 * pointProbability_->value();
     if (isPoint && clutterBy_->currentIndex() == 1)
         request.clutter_K = clutter_->value();
     request.measuresClutter = isPoint && clutterBy_->currentIndex() == 2;
     if (!isPoint)
         request.leftOut = leftOutNames_;
-    request.findsSensitivity = sensitivity_->isChecked();
+    request.findsSensitivity = cases_->isByCase() && sensitivity_->isChecked();
     request.place = static_cast<PointPlace>(place_->currentData().toInt());
     request.task = {
         tasksOf(request.criterion)[static_cast<std::size_t>(task_->currentIndex())].cyclesOfHalf,
-        0.01 * probability_->value()};
+        cases_->seeksRange() ? 0.01 * probability_->value() : 0.5};
     request.display.sceneContrast_K = sceneContrast_->value();
-    request.limits.nearest_m = nearest_->value();
-    request.limits.farthest_m = farthest_->value();
+    if (cases_->seeksRange()) {
+        request.limits.nearest_m = nearest_->value();
+        request.limits.farthest_m = farthest_->value();
+    }
     if (request.limits.farthest_m <= request.limits.nearest_m)
         throw irsg::InputError({"", tr("Farthest range").toStdString(),
                                 farthest_->text().toStdString(), "a range beyond the nearest"});
@@ -252,7 +263,7 @@ QStringList DetectionPage::problems() const {
         return {sensors_->problem()};
     try {
         const AnalysisData data = asked();
-        planAnalysis(AnalysisKind::polar, data.project, data.settings);
+        planAnalysis(kindOf(cases_->cases()), data.project, data.settings);
     } catch (const irsg::InputError& error) {
         return sentencesOf(error);
     }
@@ -272,14 +283,19 @@ void DetectionPage::refreshed(bool) {
         task_->setItemText(i, tr("%1: %2 cycles").arg(tr(task.name)).arg(task.cyclesOfHalf));
     }
     criteria_->setRowVisible(sceneContrast_, criterion == RangeCriterion::targeting);
-    for (QWidget* field :
-         std::initializer_list<QWidget*>{thresholdBy_, pointProbability_, clutterBy_, place_})
+    for (QWidget* field : std::initializer_list<QWidget*>{thresholdBy_, clutterBy_, place_})
         criteria_->setRowVisible(field, isPoint);
+    criteria_->setRowVisible(pointProbability_, isPoint && cases_->seeksRange());
     criteria_->setRowVisible(snr_, isPoint && thresholdBy_->currentIndex() == 0);
     criteria_->setRowVisible(falseAlarms_, isPoint && thresholdBy_->currentIndex() == 1);
     criteria_->setRowVisible(clutter_, isPoint && clutterBy_->currentIndex() == 1);
-    for (QWidget* field : std::initializer_list<QWidget*>{task_, probability_, leftOut_})
+    for (QWidget* field : std::initializer_list<QWidget*>{task_, leftOut_})
         criteria_->setRowVisible(field, !isPoint);
+    criteria_->setRowVisible(probability_, !isPoint && cases_->seeksRange());
+    places_->setRowVisible(step_, cases_->cases() == RangeCases::aspects);
+    for (QWidget* field : std::initializer_list<QWidget*>{nearest_, farthest_})
+        places_->setRowVisible(field, cases_->seeksRange());
+    places_->setRowVisible(sensitivity_, cases_->isByCase());
     QStringList names;
     for (const std::string& name : leftOutNames_)
         names << QString::fromStdString(name);
@@ -330,18 +346,10 @@ void DetectionPage::showResult(const JobResult& result) {
     if (!result.data)
         return;
     result_ = result.data;
-    const QSignalBlocker quiet(quantity_);
-    const QString kept = quantity_->currentData().toString();
-    quantity_->clear();
-    for (const std::string& key : plottableQuantities(result_->table))
-        quantity_->addItem(quantityTitle(result_->table, key), QString::fromStdString(key));
-    const int usual = quantity_->findData(QStringLiteral("detection_range"));
-    const int same = quantity_->findData(kept);
-    quantity_->setCurrentIndex(std::max(same >= 0 ? same : usual, 0));
-    drawResult();
+    plot_->setResult(result_);
     setProgress(
         1000,
-        tr("%1 aspects in %2 s").arg(result_->table.rowCount()).arg(result_->elapsed_s, 0, 'f', 2));
+        tr("%1 rows in %2 s").arg(result_->table.rowCount()).arg(result_->elapsed_s, 0, 'f', 2));
     QStringList lines;
     const QString sensitivity = tr("Sensitivity of the range to: ");
     QStringList sensitivities;
@@ -359,29 +367,6 @@ void DetectionPage::showResult(const JobResult& result) {
     for (const std::string& warning : result_->warnings)
         lines << tr("note: %1").arg(QString::fromStdString(warning));
     summary_->setText(lines.join('\n'));
-}
-
-void DetectionPage::drawResult() {
-    if (!result_)
-        return;
-    plot_->polar()->setData(polarData({{tr("Detection range"), &result_->table}},
-                                      quantity_->currentData().toString().toStdString()));
-    plot_->refresh();
-}
-
-QStringList DetectionPage::exportFilters() const {
-    if (!result_)
-        return {};
-    return {tr("Values as text (*.csv)"), tr("All inputs and values (*.json)"),
-            tr("Scalable picture (*.svg)"), tr("PDF (*.pdf)"), tr("Picture (*.png)")};
-}
-
-void DetectionPage::exportTo(const std::filesystem::path& file) const {
-    const std::string suffix = file.extension().string();
-    if (result_ && (suffix == ".csv" || suffix == ".json"))
-        result_->table.save(file);
-    else
-        plot_->exportTo(file);
 }
 
 } // namespace smat::gui

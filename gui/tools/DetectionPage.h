@@ -16,12 +16,17 @@ class QToolButton;
 
 namespace smat::gui {
 
+class DetectionCasesBox;
+class DetectionPlot;
 class PlotPanel;
 class RealBox;
 class SensorChooser;
+class TablePanel;
 
-/// Tools, Detection range: how far a sensor sees the target over the aspects of the project's polar
-/// plot, as a rose. Sensors are those that come with the program, or a file.
+/// Tools, Detection range: how far a sensor sees the target, over the aspects of the project's
+/// polar plot as a rose, over the directions of its signature table, or against wind, hour, band
+/// and paint; or its probability over range. Sensors are those that come with the program, or a
+/// file.
 class DetectionPage : public ToolPage {
     Q_OBJECT
 
@@ -31,10 +36,10 @@ class DetectionPage : public ToolPage {
     /// Throws irsg::InputError for fields that say nothing usable.
     DetectionRequest request() const;
     AnalysisData asked() const;
-    const PlotPanel& plot() const { return *plot_; }
-
-    QStringList exportFilters() const override;
-    void exportTo(const std::filesystem::path& file) const override;
+    /// The rose, or the curves against what is not an aspect.
+    const PlotPanel& plot() const;
+    /// Of a result over directions, else null.
+    const TablePanel* table() const;
 
   private:
     QStringList problems() const override;
@@ -43,14 +48,13 @@ class DetectionPage : public ToolPage {
     QString progressText(const Progress& progress) const override;
     QString cancelText() const override;
     void showResult(const JobResult& result) override;
-    const Exportable& content() const override { return *this; }
+    const Exportable& content() const override;
     void refreshed(bool isUsable) override;
     QWidget* makeForm();
     QWidget* makeSensorBox(QWidget* parent);
     QWidget* makeCriterionBox(QWidget* parent);
     QWidget* makePlaceBox(QWidget* parent);
     QWidget* makeRight();
-    void drawResult();
     /// Puts the temperatures and materials of the open database into the menu of what is left out.
     void fillLeftOut();
 
@@ -60,12 +64,13 @@ class DetectionPage : public ToolPage {
     std::vector<std::string> leftOutNames_;
     RealBox *falseAlarms_ = nullptr, *clutter_ = nullptr, *pointProbability_ = nullptr;
     QCheckBox* sensitivity_ = nullptr;
-    QComboBox *criterion_ = nullptr, *task_ = nullptr, *place_ = nullptr, *quantity_ = nullptr;
+    QComboBox *criterion_ = nullptr, *task_ = nullptr, *place_ = nullptr;
     QLabel* summary_ = nullptr;
-    QFormLayout* criteria_ = nullptr;
+    QFormLayout *criteria_ = nullptr, *places_ = nullptr;
+    DetectionCasesBox* cases_ = nullptr;
     RealBox *snr_ = nullptr, *probability_ = nullptr, *sceneContrast_ = nullptr,
             *nearest_ = nullptr, *farthest_ = nullptr, *background_ = nullptr, *step_ = nullptr;
-    PlotPanel* plot_ = nullptr;
+    DetectionPlot* plot_ = nullptr;
     std::shared_ptr<const AnalysisData> result_;
 };
 

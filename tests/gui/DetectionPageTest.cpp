@@ -15,6 +15,7 @@
 #include <QToolButton>
 
 #include "gui/analysis/ResultPage.h"
+#include "gui/plot/CartesianPlot.h"
 #include "gui/plot/PlotPanel.h"
 #include "gui/plot/PolarPlot.h"
 #include "gui/widgets/NumberBoxes.h"
@@ -159,6 +160,63 @@ TEST_F(DetectionPageTest, APointHasFalseAlarmsProbabilityClutterAndSensitivity) 
     find<QComboBox>("clutterBy")->setCurrentIndex(2);
     EXPECT_TRUE(find<QLineEdit>("command")->text().contains("--clutter auto"));
     EXPECT_EQ(page->request().clutter_K, 0.0);
+}
+
+TEST_F(DetectionPageTest, PlotsRangesAgainstPaintAndProbabilityOverRange) {
+    openPage();
+    find<RealBox>("backgroundTemperature")->setValue(290.0);
+    find<RealBox>("farthest")->setValue(1e7);
+    auto* tableOf = find<QComboBox>("tableOf");
+    EXPECT_FALSE(find<QLineEdit>("values")->isVisibleTo(page));
+    tableOf->setCurrentIndex(tableOf->findText("ranges against paint"));
+    EXPECT_TRUE(find<QLineEdit>("values")->isVisibleTo(page));
+    EXPECT_FALSE(find<QCheckBox>("sensitivity")->isVisibleTo(page));
+    EXPECT_FALSE(find<QPushButton>("run")->isEnabled()) << "no values yet";
+    find<QLineEdit>("values")->setText("0.1, 0.5, 0.9");
+    find<QLineEdit>("paint")->setText("ship paint");
+    EXPECT_TRUE(find<QLineEdit>("command")->text().contains(
+        "--against paint --values 0.1,0.5,0.9 --paint 'ship paint'"))
+        << find<QLineEdit>("command")->text().toStdString();
+    run();
+    ASSERT_NE(page->plot().cartesian(), nullptr);
+    const PlotData& curves = page->plot().cartesian()->data();
+    ASSERT_EQ(curves.curves.size(), 1u);
+    EXPECT_EQ(curves.curves[0].x, (std::vector<double>{0.1, 0.5, 0.9}));
+    EXPECT_EQ(curves.curves[0].error.size(), 3u) << "its error is drawn, too";
+    window->resize(1280, 900);
+    test::keepScreenshot(*window, "detection-against");
+
+    tableOf->setCurrentIndex(tableOf->findText("probability over range"));
+    EXPECT_FALSE(find<RealBox>("nearest")->isVisibleTo(page));
+    find<QLineEdit>("ranges")->setText("20000, 80000, 95000");
+    find<RealBox>("draws")->setValue(2.0);
+    EXPECT_TRUE(find<QLineEdit>("command")->text().contains("--ranges 20000,80000,95000 --draws 2"))
+        << find<QLineEdit>("command")->text().toStdString();
+    run();
+    EXPECT_EQ(page->plot().cartesian()->data().curves[0].x.size(), 3u);
+    test::keepScreenshot(*window, "detection-probability");
+}
+
+TEST_F(DetectionPageTest, ShowsDirectionsAsATableOfSignatures) {
+    openPage();
+    workbench.set("table.azimuthStep", "90");
+    workbench.set("table.elevationStep", "45");
+    workbench.set("table.elevationFrom", "0");
+    find<RealBox>("backgroundTemperature")->setValue(290.0);
+    find<RealBox>("farthest")->setValue(1e7);
+    find<QComboBox>("tableOf")->setCurrentIndex(1);
+    EXPECT_FALSE(find<RealBox>("aspectStep")->isVisibleTo(page));
+    EXPECT_TRUE(find<QLineEdit>("command")->text().contains("--cases directions"))
+        << find<QLineEdit>("command")->text().toStdString();
+    EXPECT_TRUE(find<QLineEdit>("command")->text().contains("table.elevationStep=45"))
+        << find<QLineEdit>("command")->text().toStdString();
+    run();
+    ASSERT_NE(page->table(), nullptr);
+    window->resize(1280, 900);
+    test::keepScreenshot(*window, "detection-directions");
+    const auto file = folder / "directions.csv";
+    page->exportTo(file);
+    EXPECT_EQ(ResultTable::load(file).rowCount(), 12u);
 }
 
 TEST_F(DetectionPageTest, HotPartsAreLeftOutByTheirNames) {
