@@ -79,10 +79,13 @@ SceneDescription sceneOf(AnalysisData& data, const DetectionRequest& request,
     if (!scene.settings.usesAlignedTiles()) {
         scene.settings.tileStrategy = irsg::TileStrategy::aligned;
         scene.settings.tileSide_samples = irsg::RenderSettings().tileSide_samples;
-        data.warnings.push_back(
-            fmt::format("the antialiasing of the settings misses targets below a pixel: ranges are "
-                        "sought with tiles of {} samples",
-                        scene.settings.tileSide_samples));
+        // Once, however many values a comparison has.
+        irsg::appendUnique(
+            data.warnings,
+            {fmt::format(
+                "the antialiasing of the settings misses targets below a pixel: ranges are "
+                "sought with tiles of {} samples",
+                scene.settings.tileSide_samples)});
     }
     return scene;
 }
