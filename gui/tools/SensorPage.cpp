@@ -214,6 +214,8 @@ void SensorPage::takeSensor() {
     table_ = ResultTable();
     command_->clear();
     if (sensor) {
+        numbersOfSensor_ =
+            irsg::sensorNumbers(*sensor, background_K, irsg::ConeConvention::exact, 1.0);
         table_ = sensorTransferTable(*sensor, frequenciesOf(*sensor),
                                      direction_->currentData().toBool(), background_K);
         QStringList frequencies;
@@ -228,9 +230,8 @@ void SensorPage::takeSensor() {
         command_->setCursorPosition(0);
         for (std::size_t i = 0; i < cards_.size(); ++i) {
             if (i == electronics) {
-                const auto numbers =
-                    irsg::sensorNumbers(*sensor, background_K, irsg::ConeConvention::exact, 1.0);
-                cards_[i]->setCurve({}, tr("%1 mK").arg(rounded(1e3 * numbers.totalNetd_K)));
+                cards_[i]->setCurve({},
+                                    tr("%1 mK").arg(rounded(1e3 * numbersOfSensor_.totalNetd_K)));
                 cards_[i]->setToolTip(tr("NETD of all noise, pattern included, before 300 K"));
                 continue;
             }
@@ -356,8 +357,7 @@ void SensorPage::showPictures() {
 
 QString SensorPage::numbersOf(std::size_t stage) const {
     const irsg::SensorDescription& sensor = *chooser_->sensor();
-    const irsg::SensorNumbers numbers =
-        irsg::sensorNumbers(sensor, background_K, irsg::ConeConvention::exact, 1.0);
+    const irsg::SensorNumbers& numbers = numbersOfSensor_;
     switch (stage) {
     case 0:
         return tr("Aperture %1 mm, focal length %2 mm, F/%3.")

@@ -9,6 +9,7 @@
 #include "gui/widgets/Dialogs.h"
 #include "gui/widgets/Exportable.h"
 #include "gui/widgets/LatestTask.h"
+#include "irsg/sensor/SensorNumbers.h"
 #include "irsg/sensor/SensorStages.h"
 #include "smatcore/data/ResultTable.h"
 
@@ -65,6 +66,7 @@ class SensorPage : public QWidget, public Exportable {
     PlotPanel* plot_ = nullptr;
     PlanePane *before_ = nullptr, *behind_ = nullptr;
     ResultTable table_;
+    irsg::SensorNumbers numbersOfSensor_; ///< before 300 K
     irsg::StageScene scene_;
     std::optional<irsg::StagePictures> pictures_;
     LatestTask task_;
