@@ -21,6 +21,7 @@ void ExchangeNodes::visitKept(Nodes& nodes, Archive& archive) {
     archive(nodes.firstNear_);
     archive(nodes.near_);
     LightPairs::visitKept(nodes.smoothing_, archive);
+    LightPairs::visitKept(nodes.smoothingOfSenders_, archive);
 }
 
 std::shared_ptr<const ExchangeNodes> ExchangeNodes::read(std::shared_ptr<const ExchangeMesh> mesh,

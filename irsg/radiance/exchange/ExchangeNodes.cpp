@@ -138,6 +138,22 @@ void ExchangeNodes::findSmoothing() {
                          one.part * other.part *
                              static_cast<float>(around_m2[v] / area_m2_[one.node])});
     smoothing_ = LightPairs(nodes(), std::move(parts));
+    findSmoothingOfSenders();
+}
+
+void ExchangeNodes::findSmoothingOfSenders() {
+    std::vector<double> sending_m2(senders_);
+    for (std::uint32_t node = 0; node < nodes(); ++node)
+        sending_m2[senderOf_[node]] += area_m2_[node];
+    std::vector<std::vector<LightPart>> parts(nodes());
+    for (std::uint32_t node = 0; node < nodes(); ++node) {
+        const auto [first, last] = smoothing_.of(node);
+        for (const LightPair* pair = first; pair != last; ++pair)
+            parts[node].push_back(
+                {senderOf_[node], senderOf_[pair->sender],
+                 pair->factor * static_cast<float>(area_m2_[node] / sending_m2[senderOf_[node]])});
+    }
+    smoothingOfSenders_ = LightPairs(senders_, std::move(parts));
 }
 
 void ExchangeNodes::placeNodes(const ExchangeResolution& resolution) {

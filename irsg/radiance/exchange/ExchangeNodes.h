@@ -102,6 +102,8 @@ class ExchangeNodes {
     /// What a node's mean over the places that it has a part of is made of: by node, the means of
     /// what is between nodes there. Row sums are 1.
     const LightPairs& smoothing() const { return smoothing_; }
+    /// The same of what sends as one.
+    const LightPairs& smoothingOfSenders() const { return smoothingOfSenders_; }
     /// A place of a patch from three numbers that are even in (0, 1).
     Start start(std::uint32_t patch, double which, double a, double b) const;
 
@@ -131,6 +133,7 @@ class ExchangeNodes {
                       const ExchangeResolution& resolution);
     void gatherPatches();
     void findSmoothing();
+    void findSmoothingOfSenders();
 
     std::shared_ptr<const ExchangeMesh> mesh_;
     double fineness_ = 1.0, coarseness_ = 1.0;
@@ -144,7 +147,7 @@ class ExchangeNodes {
     std::vector<double> areaUpTo_m2_;          // of a patch's cells, as they lie there
     std::vector<std::uint32_t> firstNear_;     // by patch
     std::vector<Near> near_;
-    LightPairs smoothing_;
+    LightPairs smoothing_, smoothingOfSenders_;
 };
 
 } // namespace irsg

@@ -147,6 +147,10 @@ class LightExchange {
     /// the places that a node has a part of, and that of the nodes that a place has a part of.
     /// One step of van Cittert's; sums over surfaces stay.
     void sharpen(std::vector<float>& values, std::size_t width) const;
+    /// The same for senders, of what they reflect: how much more they send than their means, so
+    /// that means over what they send are those.
+    void sharpenSent(const std::vector<float>& means, std::size_t width, std::uint32_t sender,
+                     float* own) const;
     /// Whether anybody sees it.
     bool isSeen(std::size_t sender) const { return isSeen_[sender]; }
     /// Part of the hemisphere of a receiver in which others stand.

@@ -248,11 +248,9 @@ LightSolution::LightSolution(const LightExchange& exchange, const std::vector<Li
                     if (columns[c].pattern == LightPattern::sun)
                         own[c] += passes(factors, pair->sender, exchange.rows()) * pair->factor;
         });
-        forEachInParts(senders, [&](std::size_t s, std::size_t) {
-            const auto [first, count] = ofBodies[exchange.bodyOfSender(s)];
-            factors.between().gather(s, std::span(leaving).subspan(first), sent_, count,
-                                     &ofSenders_[(s * knots_ + knot) * columns_ + first]);
-        });
+        const std::vector<float> received = arrivingAtSenders(factors, leaving, sent_, ofBodies);
+        for (std::size_t s = 0; s < senders; ++s)
+            std::copy_n(&received[s * sent_], sent_, &ofSenders_[(s * knots_ + knot) * columns_]);
         if (reflected_ > 0)
             takeReflected(factors, columns, knot, leaving);
     }
@@ -353,11 +351,29 @@ std::vector<float> LightSolution::arriving(const LightFactors& factors,
     // What leaves a sender is what a lobe reflects of it, or its mirror reflects what it receives.
     const LightExchange& exchange = factors.exchange();
     std::copy_n(leaving.data(), exchange.senders() * width, &arrives[receiver_.size() * width]);
-    for (std::size_t s = 0; exchange.areMirrorsFollowed() && s < exchange.senders(); ++s)
-        factors.between().gather(
-            s, leaving, width, width,
-            &arrives[(receiver_.size() + exchange.firstReceived() + s) * width]);
+    if (exchange.areMirrorsFollowed())
+        std::ranges::copy(arrivingAtSenders(factors, leaving, width, ofBodies),
+                          &arrives[(receiver_.size() + exchange.firstReceived()) * width]);
     return arrives;
+}
+
+std::vector<float> LightSolution::arrivingAtSenders(const LightFactors& factors,
+                                                    const std::vector<float>& leaving,
+                                                    std::size_t width,
+                                                    std::span<const Columns> ofBodies) {
+    const LightExchange& exchange = factors.exchange();
+    std::vector<float> means(exchange.senders() * width), all = means;
+    forEachInParts(exchange.senders(), [&](std::size_t s, std::size_t) {
+        const auto [first, count] = ofBodies[exchange.bodyOfSender(s)];
+        factors.between().gather(s, std::span(leaving).subspan(first), width, count,
+                                 &means[s * width + first]);
+    });
+    forEachInParts(exchange.senders(), [&](std::size_t s, std::size_t) {
+        exchange.sharpenSent(means, width, static_cast<std::uint32_t>(s), &all[s * width]);
+        for (std::size_t c = 0; c < width; ++c)
+            all[s * width + c] += means[s * width + c];
+    });
+    return all;
 }
 
 void LightSolution::iterate(const LightFactors& factors, const std::vector<double>& reflectivities,
@@ -368,7 +384,7 @@ void LightSolution::iterate(const LightFactors& factors, const std::vector<doubl
     const int fewest = leaving.empty() ? 3 : 2;
     if (leaving.empty())
         leaving = sent;
-    std::vector<float> next = leaving;
+    std::vector<float> next = leaving, reflected(leaving.size());
     const LightExchange& exchange = factors.exchange();
     std::vector<std::size_t> reflecting;
     for (std::size_t s = 0; s < exchange.senders(); ++s)
@@ -387,8 +403,16 @@ void LightSolution::iterate(const LightFactors& factors, const std::vector<doubl
                                      own + first);
             const auto rho = static_cast<float>(
                 reflectivities[static_cast<std::size_t>(exchange.rowOfSender(s))]);
+            for (std::size_t c = first; c < first + count; ++c)
+                reflected[s * width + c] = rho * own[c];
+        });
+        forEachInParts(reflecting.size(), [&](std::size_t i, std::size_t part) {
+            const std::size_t s = reflecting[i];
+            float* own = rooms[part].data();
+            const auto [first, count] = ofBodies[exchange.bodyOfSender(s)];
+            exchange.sharpenSent(reflected, width, static_cast<std::uint32_t>(s), own);
             for (std::size_t c = first; c < first + count; ++c) {
-                const float now = sent[s * width + c] + rho * own[c];
+                const float now = sent[s * width + c] + reflected[s * width + c] + own[c];
                 changes[part] = std::max(changes[part], std::abs(now - leaving[s * width + c]));
                 largest[part] = std::max(largest[part], now);
                 next[s * width + c] = now;

@@ -143,6 +143,11 @@ class LightSolution {
                                                 std::span<const LightColumn> sent);
     std::vector<float> arriving(const LightFactors& factors, const std::vector<float>& leaving,
                                 std::size_t width, std::span<const Columns> ofBodies) const;
+    /// What falls on what senders stand for, as they reflect it, by sender.
+    static std::vector<float> arrivingAtSenders(const LightFactors& factors,
+                                                const std::vector<float>& leaving,
+                                                std::size_t width,
+                                                std::span<const Columns> ofBodies);
     /// Fills in what lobes reflect, at a knot.
     void takeReflected(const LightFactors& factors, const std::vector<LightColumn>& columns,
                        std::size_t knot, const std::vector<float>& leaving);
