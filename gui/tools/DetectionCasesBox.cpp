@@ -49,11 +49,12 @@ const char* exampleOf(RangeAgainst against) {
 
 } // namespace
 
-DetectionCasesBox::DetectionCasesBox(QWidget* parent) : QGroupBox(tr("Table of"), parent) {
+DetectionCasesBox::DetectionCasesBox(QWidget* parent) : QWidget(parent) {
     form_ = new QFormLayout(this);
     form_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     form_->setRowWrapPolicy(QFormLayout::WrapLongRows);
     form_->setVerticalSpacing(3);
+    form_->setContentsMargins({});
     what_ = new QComboBox(this);
     what_->setObjectName("tableOf");
     what_->addItems({tr("ranges over aspect"), tr("ranges over azimuth and elevation"),
@@ -61,6 +62,7 @@ DetectionCasesBox::DetectionCasesBox(QWidget* parent) : QGroupBox(tr("Table of")
                      tr("ranges against humidity"), tr("ranges against the hour"),
                      tr("ranges against the band"), tr("ranges against paint"),
                      tr("probability over range")});
+    what_->setToolTip(tr("What the table has, and the plot shows"));
     values_ = lineOf("values", {}, this);
     values_->setToolTip(
         tr("Separated by commas. Each row has the mean, least and greatest range of "

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <QGroupBox>
+#include <QWidget>
 
 #include "smatcore/analysis/DetectionRequest.h"
 
@@ -14,7 +14,7 @@ class RealBox;
 
 /// What a detection is a table of: the range over aspects or directions, against wind, hour, band
 /// or paint, or the probability over ranges.
-class DetectionCasesBox : public QGroupBox {
+class DetectionCasesBox : public QWidget {
     Q_OBJECT
 
   public:
