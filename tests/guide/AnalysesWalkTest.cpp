@@ -323,8 +323,10 @@ TEST_F(AnalysesWalkTest, DetectionRange) {
     choose(get<QComboBox>("clutterBy", tool), 1);
     get<QCheckBox>("sensitivity", tool)->setChecked(true);
     EXPECT_TRUE(get<QLineEdit>("command", tool)->text().contains("--clutter 0.1 --sensitivity"));
-    walk.step("Table of chooses a table and ball over azimuth and elevation in place of the rose, "
-              "curves against wind, hour, band or paint, or the probability over range.");
+    walk.step(
+        "The list below the criterion chooses a table and ball over azimuth and elevation in "
+        "place of the rose, curves against wind, hour, band or paint, or the probability over "
+        "range.");
     auto* tableOf = get<QComboBox>("tableOf", tool);
     choose(tableOf, 1);
     EXPECT_TRUE(get<QLineEdit>("command", tool)->text().contains("--cases directions"));
