@@ -72,7 +72,7 @@ DetectionPage::DetectionPage(Workbench& workbench, Dialogs dialogs, QWidget* par
 QWidget* DetectionPage::makeForm() {
     auto* panel = new QWidget(this);
     auto* column = new QVBoxLayout(panel);
-    column->setContentsMargins(10, 10, 10, 10);
+    column->setContentsMargins(10, 6, 10, 6);
     column->addWidget(makeSensorBox(panel));
     column->addWidget(makeCriterionBox(panel));
     cases_ = new DetectionCasesBox(panel);
