@@ -9,10 +9,11 @@ time that each takes for an error of 0.1 % of the total.
 Mitsuba 3.9.1 needs LLVM 17 or later, though it loads older ones: on Debian 12 libllvm19, named in
 DRJIT_LIBLLVM_PATH.
 
-Mitsuba renders in parallel projection with its path integrator, A two-sided facet that emits is two that stand 1e-4 radii apart, since its
-emitters have one side; nearer ones its single precision takes for each other. What is timed are samples alone: the scene is built and its kernel compiled before. Its
-time for the error follows from the scatter of independent renderings, which falls as the square
-root of the samples; that of the library is its time for the whole view, at the error it has.
+Mitsuba renders in parallel projection with its path integrator. A two-sided facet that emits is
+two that stand 1e-4 radii apart, since its emitters have one side; nearer ones its single precision
+takes for each other. Only samples are timed: the scene is built and its kernel compiled before.
+Mitsuba's time for the error follows from the scatter of independent renderings, which falls as the
+square root of the samples; that of the library is its time for the whole view, at the error it has.
 """
 import argparse
 import json

@@ -410,7 +410,8 @@ class Project:
         InputError
             For values that cannot be.
         """
-        given = {**texts(settings or {}), **texts_of_options("table" if cases == "directions" else "polar", options)}
+        kind = "table" if cases == "directions" else "polar"
+        given = {**texts(settings or {}), **texts_of_options(kind, options)}
         project = self._open
         if given:
             project = _core.OpenProject(self._open)
