@@ -111,8 +111,8 @@ class DetectionCommand {
         numbers_.add("--nearest", "m", "Where the search begins, 100");
         numbers_.add("--farthest", "m", "Where it ends, 1000000");
         numbers_.add("--looks", "",
-                     "Ranges per decade at which the ratio is looked at before its root is found, "
-                     "4; more find crossings that lie closer");
+                     "Ranges per decade at which the ratio is looked at where it may cross the "
+                     "threshold, 4; more find crossings that lie closer");
         numbers_.add("--background-temperature", "K",
                      "Of the background whose photons make noise; when not given that of the "
                      "scene behind the target");

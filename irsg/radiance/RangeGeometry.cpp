@@ -59,18 +59,28 @@ std::vector<RangeGeometry::Weight> RangeGeometry::weightsAt(double nearness) {
     return result;
 }
 
+RangeGeometry::CacheEntry& RangeGeometry::entryOf(int entity, const PointAspect& aspect) {
+    return cache_.try_emplace(entity, mostCached)
+        .first->second.of([&](const CacheEntry& known) { return known.aspect == aspect; },
+                          [&] {
+                              return CacheEntry{aspect, {}, {}};
+                          });
+}
+
 const ViewGeometry& RangeGeometry::at(int entity, const PointAspect& aspect, std::size_t node,
                                       const std::function<ViewGeometry()>& draw) {
-    CacheEntry& kept =
-        cache_.try_emplace(entity, mostCached)
-            .first->second.of([&](const CacheEntry& known) { return known.aspect == aspect; },
-                              [&] {
-                                  return CacheEntry{aspect, {}};
-                              });
-    std::optional<ViewGeometry>& own = kept.atNode[node];
+    std::optional<ViewGeometry>& own = entryOf(entity, aspect).atNode[node];
     if (!own)
         own = draw();
     return *own;
+}
+
+const ViewGeometry& RangeGeometry::from(int entity, const PointAspect& aspect, double distance_m,
+                                        const std::function<ViewGeometry()>& draw) {
+    std::optional<FromOne>& own = entryOf(entity, aspect).fromOne;
+    if (!own || own->distance_m != distance_m)
+        own = FromOne{distance_m, draw()};
+    return own->view;
 }
 
 void addAtRange(const ViewGeometry& atUnitDistance, double weight, const SurfaceRows& drawn,

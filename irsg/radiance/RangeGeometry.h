@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <map>
@@ -33,6 +34,8 @@ class RangeGeometry {
                                                     closest};
     /// Slices that an object has in a node's drawing where its air is sliced.
     static constexpr std::size_t slices = 64;
+    /// The same in the drawing from one distance.
+    static constexpr std::size_t slicesFromOne = 4;
     /// The same line of sight from another range: of the components of a unit vector.
     static constexpr double directionStep = 1e-8;
 
@@ -53,11 +56,26 @@ class RangeGeometry {
     const ViewGeometry& at(int entity, const PointAspect& aspect, std::size_t node,
                            const std::function<ViewGeometry()>& draw);
 
+    /// The same from one distance, which stands for all of the aspect, and by how much it is off at
+    /// another nearness at most, as a share of it (see Outputs::Reports::alongRangeFrom).
+    const ViewGeometry& from(int entity, const PointAspect& aspect, double distance_m,
+                             const std::function<ViewGeometry()>& draw);
+    static double errorFrom(double sampledNearness, double nearness) {
+        return 2.0 * std::abs(sampledNearness - nearness);
+    }
+
   private:
+    struct FromOne {
+        double distance_m;
+        ViewGeometry view;
+    };
     struct CacheEntry {
         PointAspect aspect;
         std::array<std::optional<ViewGeometry>, nodes.size()> atNode;
+        std::optional<FromOne> fromOne;
     };
+    CacheEntry& entryOf(int entity, const PointAspect& aspect);
+
     static constexpr std::size_t mostCached = 4;    ///< aspects of an entity
     std::map<int, RecentlyUsed<CacheEntry>> cache_; // by entity
 };

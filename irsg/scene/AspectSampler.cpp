@@ -25,10 +25,10 @@ SurfaceRows renderedRows(const SurfaceRows& rows, std::size_t entities, int slic
 }
 
 /// Slices about a distance of what reaches so far before and behind it.
-SliceNodes slicesAbout(double distance_m, double reach_m) {
+SliceNodes slicesAbout(double distance_m, double reach_m, std::size_t slices) {
     SliceNodes slices_m;
-    for (std::size_t i = 0; i <= RangeGeometry::slices; ++i) {
-        const double part = static_cast<double>(i) / RangeGeometry::slices;
+    for (std::size_t i = 0; i <= slices; ++i) {
+        const double part = static_cast<double>(i) / static_cast<double>(slices);
         slices_m.push_back(distance_m + (2.0 * part - 1.0) * reach_m);
     }
     return slices_m;
@@ -68,6 +68,10 @@ ViewGeometry atUnitDistance(const ViewGeometry& view, double distance_m, double 
 
 } // namespace
 
+bool AspectSampler::withErrors(const Frame& frame) {
+    return frame.request.withErrors || frame.request.sampledFrom_m;
+}
+
 PointAspect AspectSampler::aspectOf(const Frame& frame, int entity, const Vec3& from) const {
     const RenderSettings& settings = frame.settings();
     const SurfaceRows& rows = frame.rows();
@@ -78,7 +82,7 @@ PointAspect AspectSampler::aspectOf(const Frame& frame, int entity, const Vec3& 
                         frame.surfaces.engine.isRays ? 1.0 : 0.0},
                        terms_.glsl(settings)};
     appendTo(aspect.numbers, from);
-    aspect.numbers.push_back(frame.request.withErrors ? 1.0 : 0.0);
+    aspect.numbers.push_back(withErrors(frame) ? 1.0 : 0.0);
     aspect.numbers.push_back(frame.shading().shadows ? static_cast<double>(settings.sunShadows)
                                                      : 0.0);
     appendReceivers(frame.shading(), frame.settings().lightError, aspect.numbers);
@@ -102,7 +106,9 @@ PointAspect AspectSampler::aspectOf(const Frame& frame, int entity, const Vec3& 
             aspect.numbers.push_back(
                 static_cast<double>(frame.evaluation().rows[row].nAngleFactor));
             aspect.numbers.push_back(rows.isTransparent(static_cast<int>(row)) ? 1.0 : 0.0);
-            aspect.numbers.push_back(frame.evaluation().hot[row] ? 1.0 : 0.0);
+            // Which parts are hot changes with the air; those of the first look are sampled.
+            if (!frame.request.sampledFrom_m)
+                aspect.numbers.push_back(frame.evaluation().hot[row] ? 1.0 : 0.0);
             const GasZone* gas = rows.gas(static_cast<int>(row));
             for (std::size_t k = 0; gas && k < gas->columns->numbers.size(); ++k)
                 aspect.numbers.push_back(static_cast<double>(gas->columns->numbers[k]));
@@ -122,7 +128,7 @@ void AspectSampler::forgetOtherTerrain(const Frame& frame) {
 ViewGeometry AspectSampler::sampleAlone(const Frame& frame, int entity, const CameraFrame& camera,
                                         int tileSide_samples, const SurfaceRows& rows) {
     GeometrySums sums(camera.sensor(), rows, occluderStacks_, terms_.factorCount(), {},
-                      frame.exchange(), frame.request.withErrors);
+                      frame.exchange(), withErrors(frame));
     ViewGeometry view = sums.emptyView();
     const auto seen = planner_.seenBy(frame.surfaces, camera, entity);
     if (!seen)
@@ -189,8 +195,10 @@ void AspectSampler::addAlongRange(const Frame& frame, const ObjectExtent& object
     const Entity& entity = frame.request.entity(object.entity);
     const ObjectGeometry& geometry =
         frame.evaluation().geometry[static_cast<std::size_t>(object.entity)];
-    // In air every range takes the same drawings, whether it is sliced there or not.
-    const bool isSliced = geometry.slices_m.size() > 1 || geometry.atmosphereError > 0.0;
+    const bool isFromOne = frame.request.sampledFrom_m.has_value();
+    // In air every range takes the drawings of nodes, whether it is sliced there or not.
+    const bool isSliced =
+        geometry.slices_m.size() > 1 || (!isFromOne && geometry.atmosphereError > 0.0);
     const double reach_m = prepared_.reach_m(entity);
     const Vec3 from =
         PointSources::onGrid(entity.pose.attitude.rotation().transposed() *
@@ -201,41 +209,64 @@ void AspectSampler::addAlongRange(const Frame& frame, const ObjectExtent& object
     aspect.numbers.push_back(isSliced ? 1.0 : 0.0);
 
     const RangePlace place{geometry.path.range_m, frame.sensor().pixelPitch()};
-    const auto addNode = [&](std::size_t node, double weight, bool isError) {
-        const double distance_m = reach_m / RangeGeometry::nodes[node];
-        const SurfaceRows rows =
-            renderedRows(frame.rows(), frame.scene().entities.size(), object.entity,
-                         isSliced ? slicesAbout(distance_m, reach_m) : SliceNodes{});
-        const ViewGeometry& drawn = rangeFactors_.at(object.entity, aspect, node, [&] {
-            return sampleAtNode(frame, object.entity, from, node, rows);
-        });
-        if (!isError)
-            return addAtRange(drawn, weight, rows, distance_m, frame.rows(), place, view);
-        // Its own contrasts are those of the sum already.
+    const auto rowsAt = [&](double distance_m) {
+        return renderedRows(
+            frame.rows(), frame.scene().entities.size(), object.entity,
+            isSliced ? slicesAbout(distance_m, reach_m,
+                                   isFromOne ? RangeGeometry::slicesFromOne : RangeGeometry::slices)
+                     : SliceNodes{});
+    };
+    const auto add = [&](const ViewGeometry& drawn, const SurfaceRows& rows, double distance_m,
+                         double weight, bool isError) {
+        // The contrasts of an error are those of the sum already.
         addAtRange(drawn, weight, rows, distance_m, frame.rows(), place,
-                   view.sublatticeDifferences.back());
+                   isError ? view.sublatticeDifferences.back() : view);
     };
     const double nearness = reach_m / place.range_m;
+    const bool withErrors = !view.sublatticeDifferences.empty();
+    if (isFromOne) {
+        const double distance_m =
+            std::max(*frame.request.sampledFrom_m, reach_m / RangeGeometry::closest);
+        const SurfaceRows rows = rowsAt(distance_m);
+        const ViewGeometry& drawn = rangeFactors_.from(object.entity, aspect, distance_m, [&] {
+            return sampleFrom(frame, object.entity, from, distance_m,
+                              frame.settings().tileSide_samples, rows);
+        });
+        add(drawn, rows, distance_m, 1.0, false);
+        if (withErrors)
+            add(drawn, rows, distance_m, RangeGeometry::errorFrom(reach_m / distance_m, nearness),
+                true);
+        return;
+    }
+    const auto addNode = [&](std::size_t node, double weight, bool isError) {
+        const double distance_m = reach_m / RangeGeometry::nodes[node];
+        const SurfaceRows rows = rowsAt(distance_m);
+        const ViewGeometry& drawn = rangeFactors_.at(object.entity, aspect, node, [&] {
+            // No phases average the error of a node, so that its tile is larger than that of a
+            // frame.
+            return sampleFrom(frame, object.entity, from, distance_m,
+                              frame.settings().tileSide_samples * 3 / 2, rows);
+        });
+        add(drawn, rows, distance_m, weight, isError);
+    };
     for (const auto& [node, weight] : RangeGeometry::weightsAt(nearness))
         addNode(node, weight, false);
-    if (!view.sublatticeDifferences.empty())
+    if (withErrors)
         for (const auto& [node, weight] : RangeGeometry::errorWeightsAt(nearness))
             addNode(node, weight, true);
 }
 
-ViewGeometry AspectSampler::sampleAtNode(const Frame& frame, int entity, const Vec3& from,
-                                         std::size_t node, const SurfaceRows& rows) {
+ViewGeometry AspectSampler::sampleFrom(const Frame& frame, int entity, const Vec3& from,
+                                       double distance_m, int tileSide_samples,
+                                       const SurfaceRows& rows) {
     // Pixels that are small in terms of the object, as each has the solid angle of its middle.
     constexpr int pixels = 32;
-    // No phases average the error of a node, so that its tile is larger than that of a frame.
-    const int tileSide_samples = frame.settings().tileSide_samples * 3 / 2;
     const Entity& own = frame.request.entity(entity);
-    const double distance_m = prepared_.reach_m(own) / RangeGeometry::nodes[node];
     const Rotation toWorld = own.pose.attitude.rotation();
     const Vec3 at_m = own.pose.toWorld(prepared_.referencePoint(own));
     Sensor sensor = frame.sensor();
     sensor.width_px = sensor.height_px = pixels;
-    sensor.horizontalFieldOfView_rad = 2.0 * std::asin(RangeGeometry::nodes[node]);
+    sensor.horizontalFieldOfView_rad = 2.0 * std::asin(prepared_.reach_m(own) / distance_m);
     const CameraFrame camera(sensor,
                              Viewpoint::lookAt(at_m + toWorld * from * distance_m, at_m,
                                                toWorld * Vec3{0, 0, 1}, toWorld * Vec3{0, 1, 0}));

@@ -42,8 +42,11 @@ class AspectSampler {
     /// Factors of one entity as a camera of its own sees it, with nothing before it.
     ViewGeometry sampleAlone(const Frame& frame, int entity, const CameraFrame& camera,
                              int tileSide_samples, const SurfaceRows& rows);
-    ViewGeometry sampleAtNode(const Frame& frame, int entity, const Vec3& from, std::size_t node,
-                              const SurfaceRows& rows);
+    /// The same from a distance in a direction of the model's axes, as it is at unit distance.
+    ViewGeometry sampleFrom(const Frame& frame, int entity, const Vec3& from, double distance_m,
+                            int tileSide_samples, const SurfaceRows& rows);
+    /// Whether what is sampled has its contrasts.
+    static bool withErrors(const Frame& frame);
 
     const RadianceTerms& terms_;
     PreparedEntities& prepared_;

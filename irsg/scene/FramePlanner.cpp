@@ -232,10 +232,10 @@ void FramePlanner::addDetails(const FrameRequest& request, const SceneSurfaces& 
         for (ObjectExtent& object : *objects) {
             if (isAmong(plan.points, object) && !request.scene.settings.truthLayers)
                 continue;
-            const auto [known, isNew] = details_.byEntity.try_emplace(object.entity);
-            if (isNew)
-                known->second = detailsOf(surfaces, request.camera, object.entity);
-            object.details = known->second;
+            if (!details_.byEntity.contains(object.entity))
+                details_.byEntity[object.entity] =
+                    detailsOf(surfaces, request.camera, object.entity);
+            object.details = details_.byEntity.at(object.entity);
         }
 }
 

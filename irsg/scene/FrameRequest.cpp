@@ -33,6 +33,7 @@ FrameRequest::FrameRequest(const Scene& ofScene, const SensorView& ofView, const
       withObjects(outputs.hasObjects()),
       bySurface(outputs.isBySurface()),
       alongRange(outputs.isAlongRange() && !outputs.hasImage()),
+      sampledFrom_m(outputs.sampledFrom_m()),
       isScaled(!outputs.scalings().empty()) {}
 
 } // namespace irsg

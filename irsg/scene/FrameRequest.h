@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "irsg/atmosphere/path/AtmosphericQuery.h"
@@ -31,10 +32,11 @@ struct FrameRequest {
     bool withSources; ///< outputs are the bands, then their sources
     bool withErrors;
     bool withImage;
-    bool withObjects; ///< false: of an image of the background alone
-    bool bySurface;   ///< sums of objects have those of their surfaces
-    bool alongRange;  ///< objects may be interpolated between distances
-    bool isScaled;    ///< emissivities may be scaled, those of surfaces that reflect nothing, too
+    bool withObjects;                    ///< false: of an image of the background alone
+    bool bySurface;                      ///< sums of objects have those of their surfaces
+    bool alongRange;                     ///< objects may be interpolated between distances
+    std::optional<double> sampledFrom_m; ///< such objects are sampled from there alone
+    bool isScaled; ///< emissivities may be scaled, those of surfaces that reflect nothing, too
 
     const Entity& entity(int e) const { return scene.entities[static_cast<std::size_t>(e)]; }
 };

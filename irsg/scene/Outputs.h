@@ -53,6 +53,8 @@ class Outputs {
     bool isFollowed() const { return followed_; }
     bool hasReports() const { return reports_; }
     bool isAlongRange() const { return alongRange_; }
+    /// Of reports along a range: where the object is sampled for all of it; none: at nodes.
+    std::optional<double> sampledFrom_m() const { return sampledFrom_m_; }
     bool hasSource() const { return source_; }
     /// Whether the sums come with their errors; not set: as RenderSettings::errors says.
     std::optional<bool> errors() const { return errors_; }
@@ -71,6 +73,7 @@ class Outputs {
 
     bool objects_ = true, image_ = false, followed_ = false, reports_ = false, alongRange_ = false,
          source_ = false, byObject_ = false, bySurface_ = false;
+    std::optional<double> sampledFrom_m_;
     std::optional<bool> errors_;
     std::vector<Band> bands_;
     std::vector<double> wavenumbers_per_cm_;
@@ -101,6 +104,16 @@ class Outputs::Reports : public Outputs {
     Reports alongRange(bool on = true) const {
         Reports made = *this;
         made.alongRange_ = on;
+        return made;
+    }
+    /// The same with one drawing for the whole line of sight, from this range, m, > 0: what is
+    /// sampled there is taken to be seen from any other range, times the square of the ratio of
+    /// ranges. From the range itself this is as good as a drawing; from another one it is off by up
+    /// to twice the difference of the nearness (object's reach over range), which the errors hold.
+    /// For a search that asks for one range and looks at many.
+    Reports alongRangeFrom(double sampledAt_m) const {
+        Reports made = alongRange();
+        made.sampledFrom_m_ = sampledAt_m;
         return made;
     }
     /// Behind the reports of the bands one more of each, in the same order, of the source: what

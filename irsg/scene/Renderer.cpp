@@ -260,6 +260,9 @@ void Renderer::check(const Scene& scene, const SensorView& view, const Outputs& 
 Vec3 Renderer::referencePoint(const Entity& entity) {
     return impl_->prepared.referencePoint(entity);
 }
+double Renderer::reach_m(const Entity& entity) {
+    return impl_->prepared.reach_m(entity);
+}
 std::string Renderer::rendererDescription(const Scene& scene) {
     return impl_->engines.description(scene);
 }

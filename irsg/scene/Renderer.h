@@ -56,6 +56,8 @@ class Renderer {
 
     /// Of an entity, in model axes; see Entity::referencePoint_m.
     Vec3 referencePoint(const Entity& entity);
+    /// How far an entity reaches from that point at most, m.
+    double reach_m(const Entity& entity);
 
     /// Who answers the samples of a scene: "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5
     /// (Compatibility Profile) Mesa 22.3.6", or "rays, Embree 3.13.5", and why where it was chosen.

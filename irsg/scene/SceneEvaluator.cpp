@@ -1,6 +1,7 @@
 #include "irsg/scene/SceneEvaluator.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "irsg/atmosphere/NearestRun.h"
@@ -27,11 +28,14 @@ void takeSpecularEnvironmentGrids(const Scene& scene, const Band& band,
             const Material* material = materialEntry(entity, use.first.material);
             return material != nullptr && !material->surfaceModel.empty();
         });
-        if (hasLobes)
-            geometry[e].mirror =
-                SpecularEnvironmentGrid(scene.environment.horizonElevation_rad(
-                                            geometry[e].path.targetAltitude_m, band.range()),
-                                        byAzimuth);
+        if (!hasLobes)
+            continue;
+        // The same grid whatever the range, which altitudes are rounded by.
+        constexpr double step_rad = 1e-9;
+        const double horizon_rad =
+            scene.environment.horizonElevation_rad(geometry[e].path.targetAltitude_m, band.range());
+        geometry[e].mirror =
+            SpecularEnvironmentGrid(step_rad * std::round(horizon_rad / step_rad), byAzimuth);
     }
 }
 

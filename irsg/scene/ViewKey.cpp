@@ -73,6 +73,8 @@ ViewKey viewKey(const RadianceTerms& terms, const FrameRequest& request,
                                object.hiddenBelow_m.end());
     for (const ObjectExtent& object : alongRange)
         key.numbers.push_back(static_cast<double>(object.entity));
+    if (!alongRange.empty())
+        key.numbers.push_back(request.sampledFrom_m.value_or(0.0));
     key.terrain = request.scene.terrain;
     key.rows = surfaces.rows();
     key.shader = terms.glsl(settings);

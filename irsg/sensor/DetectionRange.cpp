@@ -24,6 +24,7 @@ constexpr double unseen = -700.0;
 
 struct Point {
     double x, y;
+    bool isNegative = false; ///< the ratio
 };
 
 /// The part of one of these points in the polynomial through them at x (Lagrange).
@@ -65,11 +66,14 @@ class Excess {
           to_(std::log(limits.farthest_m)),
           looks_(std::max<std::uint64_t>(
               1, static_cast<std::uint64_t>(std::ceil((to_ - from_) / std::log(10.0) *
-                                                      std::max(1, limits.looksPerDecade))))) {}
+                                                      std::max(1, limits.looksPerDecade))))),
+          coarseStep_(static_cast<std::uint64_t>(std::max(1, limits.looksPerDecade / 4))) {}
 
     /// Intervals between the looks.
     std::uint64_t looks() const { return looks_; }
     std::uint64_t end() const { return looks_ << mostHalvings; }
+    /// Of looks, four times per decade.
+    std::uint64_t coarseStep() const { return coarseStep_; }
 
     double rangeAt(std::uint64_t place) const { return std::exp(logRangeAt(place)); }
 
@@ -77,10 +81,20 @@ class Excess {
         const double x = logRangeAt(place);
         const auto [known, isNew] = known_.try_emplace(place);
         if (isNew) {
-            const double value = ratio_(std::exp(x)) / threshold_;
-            known->second = value > 0.0 ? std::max(unseen, std::log(value)) : unseen;
+            const double signedValue = ratio_(std::exp(x)) / threshold_;
+            const double value = std::abs(signedValue);
+            known->second = {x, value > 0.0 ? std::max(unseen, std::log(value)) : unseen,
+                             signedValue < 0.0};
         }
-        return {x, known->second};
+        return known->second;
+    }
+    /// At one of the looks.
+    Point atLook(std::uint64_t look) { return at(look << mostHalvings); }
+    /// The first look that is not nearer than a range.
+    std::uint64_t lookFrom(double range_m) const {
+        const double place = (std::log(std::max(range_m, std::exp(from_))) - from_) / (to_ - from_);
+        return std::min(looks_, static_cast<std::uint64_t>(
+                                    std::ceil(place * static_cast<double>(looks_) - 1e-9)));
     }
 
   private:
@@ -90,8 +104,8 @@ class Excess {
 
     const std::function<double(double)>& ratio_;
     double threshold_, from_, to_;
-    std::uint64_t looks_;
-    std::unordered_map<std::uint64_t, double> known_;
+    std::uint64_t looks_, coarseStep_;
+    std::unordered_map<std::uint64_t, Point> known_;
 };
 
 /// The places about an interval, from the one before it to the one behind it.
@@ -157,6 +171,53 @@ void findRoot(Excess& excess, std::uint64_t left, double tolerance, DetectionRan
         found.around.push_back({std::exp(point.x), weightOf(near.points, point, root)});
 }
 
+/// By how much the line through two places misses the third one.
+double bend(const Point& first, const Point& second, const Point& third) {
+    return std::abs(second.y - third.y +
+                    (third.x - second.x) * (second.y - first.y) / (second.x - first.x));
+}
+
+/// Whether the ratio may cross the threshold between place i and the next one: how far it is from
+/// the threshold at both, beside how much it bends about them.
+bool mayCross(std::span<const Point> places, std::size_t i) {
+    const Point &from = places[i], &to = places[i + 1];
+    if ((from.y >= 0.0) != (to.y >= 0.0) || (from.y <= unseen) != (to.y <= unseen))
+        return true;
+    if (from.y <= unseen)
+        return false;
+    if (from.isNegative != to.isNegative) // through zero it dips without end
+        return true;
+    double bends = 0.0;
+    if (i > 0)
+        bends = bend(places[i - 1], from, to);
+    if (i + 2 < places.size())
+        bends = std::max(bends, bend(places[i + 2], to, from));
+    return std::min(std::abs(from.y), std::abs(to.y)) < bends;
+}
+
+/// The looks from one to another, ascending, that tell where the ratio crosses the threshold.
+std::vector<std::uint64_t> looksWorthwhile(Excess& excess, std::uint64_t from, std::uint64_t to) {
+    const std::uint64_t coarse = excess.coarseStep();
+    std::vector<std::uint64_t> looks;
+    for (std::uint64_t look = from; look < to; look += coarse)
+        looks.push_back(look);
+    looks.push_back(to);
+    for (bool isEnough = false; !isEnough;) {
+        std::vector<Point> places;
+        for (const std::uint64_t look : looks)
+            places.push_back(excess.atLook(look));
+        std::vector<std::uint64_t> finer;
+        for (std::size_t i = 0; i < looks.size(); ++i) {
+            finer.push_back(looks[i]);
+            if (i + 1 < looks.size() && looks[i + 1] - looks[i] > 1 && mayCross(places, i))
+                finer.push_back(std::midpoint(looks[i], looks[i + 1]));
+        }
+        isEnough = finer.size() == looks.size();
+        looks = std::move(finer);
+    }
+    return looks;
+}
+
 } // namespace
 
 DetectionRange detectionRange(const std::function<double(double)>& ratio, double threshold,
@@ -171,20 +232,24 @@ DetectionRange detectionRange(const std::function<double(double)>& ratio, double
     Excess excess(ratio, threshold, limits);
     DetectionRange found;
     std::optional<std::uint64_t> last;
-    const auto isSeen = [&](std::uint64_t look) {
-        return excess.at(look << mostHalvings).y >= 0.0;
-    };
-    bool before = isSeen(0);
-    for (std::uint64_t look = 1; look <= excess.looks(); ++look) {
-        const bool here = isSeen(look);
-        if (before != here) {
-            ++found.crossings;
-            if (before)
-                last = look - 1;
+    bool isSeenAtEnd = false;
+    const auto lookBetween = [&](std::uint64_t from, std::uint64_t to) {
+        const std::vector<std::uint64_t> looks = looksWorthwhile(excess, from, to);
+        for (std::size_t i = 0; i < looks.size(); ++i) {
+            const bool here = excess.atLook(looks[i]).y >= 0.0;
+            if (i > 0 && here != isSeenAtEnd) {
+                ++found.crossings;
+                if (isSeenAtEnd)
+                    last = looks[i - 1];
+            }
+            isSeenAtEnd = here;
         }
-        before = here;
-    }
-    if (before) {
+    };
+    const std::uint64_t first = excess.lookFrom(limits.costlyBelow_m);
+    lookBetween(first, excess.looks());
+    if (first > 0 && !last && !isSeenAtEnd)
+        lookBetween(0, first);
+    if (isSeenAtEnd) {
         found.found = DetectionRange::Found::beyond;
         found.range_m = limits.farthest_m;
         found.around = {{excess.rangeAt(excess.end()), 1.0}};

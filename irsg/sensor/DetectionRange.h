@@ -10,7 +10,12 @@ struct RangeLimits {
     double nearest_m = 100.0; ///< > 0
     double farthest_m = 1e6;  ///< above it
     double tolerance = 1e-5;  ///< of the range, relative
-    int looksPerDecade = 16;  ///< places at which the signal to noise ratio is looked at first
+    /// Places at which the signal to noise ratio is looked at, as far as it may cross the threshold
+    /// about them.
+    int looksPerDecade = 16;
+    /// The ratio is looked at at nearer ranges only where it is below the threshold at those
+    /// beyond.
+    double costlyBelow_m = 0.0;
 };
 
 /// How far a target is seen.
@@ -26,8 +31,9 @@ struct DetectionRange {
     /// d ln(ratio) / d ln(range) at that range, -2 in vacuum; 0 where nothing was found, and at a
     /// step of the ratio to 0.
     double slope = 0.0;
-    /// How often the ratio crosses the threshold between the limits, as far as it was looked at:
-    /// more than once where contrast passes through zero, say.
+    /// How often the ratio crosses the threshold between the limits (from `costlyBelow_m` on where
+    /// it is reached there), as far as it was looked at: more than once where contrast passes
+    /// through zero, say.
     int crossings = 0;
     /// Ranges of the grid about that range, and weights, which sum up to 1, with which a smooth
     /// function of ln(range) is interpolated there (Lagrange); one where nothing was found: at the
@@ -39,13 +45,14 @@ struct DetectionRange {
 };
 
 /// The farthest range at which a signal to noise ratio falls to a threshold > 0. The ratio is
-/// looked at at equal ratios of range from the nearest to the farthest one, and the root is sought
-/// between the last two of these between which it falls below the threshold: their interval is
-/// halved until the root of the cubic in ln(range) through four neighbours is that of the parabolas
-/// through three of them to within the tolerance, which it then is far better. So all ranges are
-/// those of one grid, whatever the ratio, and what they have in common (air) is computed once for
-/// many targets. `ratio` gives |SNR| at a range in m; it is called once for each. Throws InputError
-/// for limits that are none.
+/// looked at at equal ratios of range: four times per decade, and up to `looksPerDecade` times
+/// where it may cross the threshold, as its curvature in ln(range) or a change of its sign says.
+/// The root is sought between the last two places between which it falls below the threshold: their
+/// interval is halved until the root of the cubic in ln(range) through four neighbours is that of
+/// the parabolas through three of them to within the tolerance, which it then is far better. So all
+/// ranges are those of one grid, whatever the ratio, and what they have in common (air) is computed
+/// once for many targets. `ratio` gives the SNR at a range in m, of either sign, whose magnitude
+/// counts; it is called once for each. Throws InputError for limits that are none.
 DetectionRange detectionRange(const std::function<double(double range_m)>& ratio, double threshold,
                               const RangeLimits& limits);
 

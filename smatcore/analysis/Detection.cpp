@@ -197,7 +197,7 @@ void runDetection(AnalysisData& data, const DetectionRequest& request, const Ren
         if (request.measuresClutter)
             row.insert(row.end(), {one.clutter.deviation_K, one.clutter.error_K});
         if (sensitivity) {
-            found.push_back({one.place, seen.found, look});
+            found.push_back({one.place, seen.found, look, seen.sampledFrom_m});
             std::ranges::copy(sensitivity->at(found.back(), one.aspect, data, aspects.warnings()),
                               std::back_inserter(row));
         }

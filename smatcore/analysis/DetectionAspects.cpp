@@ -15,6 +15,12 @@ namespace {
 
 using Found = irsg::DetectionRange::Found;
 
+/// Where the target of the first aspect is sampled, in nearest ranges at which it may be.
+constexpr double usual = 64.0;
+/// Of the target's reach over ranges: a twentieth of a per mille of the contrast at most.
+constexpr double nearnessThatMatters = 2.5e-5;
+constexpr int mostSamplings = 4;
+
 } // namespace
 
 DetectionAspects::DetectionAspects(AnalysisData& data, const DetectionRequest& request,
@@ -69,7 +75,9 @@ std::string AspectRange::warning() const {
 
 double RangeSearch::ratio(TargetAspect& aspect, double range_m) {
     try {
-        return sight_.reached(aspect.at(range_m, false));
+        const TargetLook look = aspect.at(range_m, false);
+        isAnythingLookedAt_ = true;
+        return std::copysign(sight_.reached(look), look.contrast_W_m2);
     } catch (const irsg::InputError& error) {
         if (range_m < leastRefused_m_) {
             leastRefused_m_ = range_m;
@@ -79,12 +87,34 @@ double RangeSearch::ratio(TargetAspect& aspect, double range_m) {
     }
 }
 
-AspectRange RangeSearch::find(TargetAspect& aspect) {
-    (void)aspect.at(request_.limits.nearest_m, false); // refuses what no range would change
+AspectRange RangeSearch::sampled(TargetAspect& aspect) {
+    irsg::RangeLimits limits = request_.limits;
+    limits.costlyBelow_m = std::min(aspect.drawnBelow_m(), limits.farthest_m);
+    const double plain_m = std::max(limits.nearest_m, limits.costlyBelow_m);
     AspectRange one;
-    one.found = irsg::detectionRange([&](double range_m) { return ratio(aspect, range_m); },
-                                     wanted_, request_.limits);
-    one.look = aspect.between(one.found);
+    double from_m = std::clamp(latest_m_.value_or(usual * plain_m), plain_m, limits.farthest_m);
+    for (int i = 0; i < mostSamplings; ++i) {
+        aspect.sampleFrom(from_m);
+        one.sampledFrom_m = from_m;
+        isAnythingLookedAt_ = false;
+        one.found = irsg::detectionRange([&](double range_m) { return ratio(aspect, range_m); },
+                                         wanted_, limits);
+        if (!isAnythingLookedAt_) // throws what no range changes
+            (void)aspect.at(request_.limits.nearest_m, false);
+        one.look = aspect.between(one.found);
+        const double there_m = std::max(one.found.around.front().range_m, plain_m);
+        if (!one.look.isAlongRange ||
+            aspect.reach_m() * std::abs(1.0 / there_m - 1.0 / from_m) <= nearnessThatMatters)
+            break;
+        from_m = there_m;
+    }
+    if (one.found.found == Found::atRange)
+        latest_m_ = one.found.range_m;
+    return one;
+}
+
+AspectRange RangeSearch::find(TargetAspect& aspect) {
+    AspectRange one = sampled(aspect);
     const irsg::DetectionRange& found = one.found;
     const TargetLook& look = one.look;
     if (found.found == Found::atRange) {

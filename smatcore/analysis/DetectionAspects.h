@@ -69,9 +69,10 @@ class DetectionAspects {
 /// What was found of a case.
 struct AspectRange {
     irsg::DetectionRange found;
-    TargetLook look;      ///< at that range
-    double error_m = 0.0; ///< at two standard deviations
-    double extent = 0.0;  ///< side of the target's image in pixels
+    TargetLook look;            ///< at that range
+    double sampledFrom_m = 0.0; ///< from where the target was sampled
+    double error_m = 0.0;       ///< at two standard deviations
+    double extent = 0.0;        ///< side of the target's image in pixels
     bool isResolved = false;
 
     /// 0 found, -1 nowhere, 1 beyond.
@@ -80,7 +81,9 @@ struct AspectRange {
     std::string warning() const;
 };
 
-/// Seeks the range of cases, and keeps count of what there is to warn of.
+/// Seeks the range of cases, and keeps count of what there is to warn of. The target is sampled
+/// once for an aspect, from where that of the aspect before was found, and again only where it is
+/// found so far from there that it matters.
 class RangeSearch {
   public:
     RangeSearch(const DetectionRequest& request, TargetSight& sight)
@@ -91,11 +94,15 @@ class RangeSearch {
     void tell(std::vector<std::string>& warnings) const;
 
   private:
+    /// The target sampled from where it is found, as near as matters.
+    AspectRange sampled(TargetAspect& aspect);
     double ratio(TargetAspect& aspect, double range_m);
 
     const DetectionRequest& request_;
     TargetSight& sight_;
     double wanted_;
+    bool isAnythingLookedAt_ = false; ///< by the search at hand: not all ranges were refused
+    std::optional<double> latest_m_;  ///< where the last aspect's target was found
     std::size_t done_ = 0, resolved_ = 0, never_ = 0, beyond_ = 0, full_ = 0;
     // Paths into the ground, say.
     double leastRefused_m_ = std::numeric_limits<double>::infinity();

@@ -223,6 +223,7 @@ double RangeSensitivity::margin(TargetLook look) const {
 double RangeSensitivity::marginIn(const SceneDescription& scene, const FoundRange& found,
                                   AnalysisData& data, CaseWarnings& warnings) const {
     TargetAspect other(shared_, scene, *sight_, found.place, data, warnings);
+    other.sampleFrom(found.sampledFrom_m);
     TargetLook seen = other.at(found.found.range_m, false);
     seen.clutter_W_m2_sr = found.look.clutter_W_m2_sr;
     return margin(seen);

@@ -27,6 +27,7 @@ struct FoundRange {
     AnalysisCase place;
     irsg::DetectionRange found;
     TargetLook look;
+    double sampledFrom_m; ///< from where the target was sampled
 };
 
 /// The relative change of a range per relative change of each number, d ln R / d ln p, in their

@@ -11,6 +11,7 @@
 #include "irsg/core/AppendUnique.h"
 #include "irsg/core/Errors.h"
 #include "irsg/core/Wording.h"
+#include "irsg/radiance/RangeGeometry.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/BackgroundClutter.h"
 #include "smatcore/analysis/CommandSettings.h"
@@ -75,6 +76,9 @@ SceneDescription sceneOf(AnalysisData& data, const DetectionRequest& request,
     // Contrast is of the whole target, whatever the sensor's frame is at its range.
     scene.sensor.band = request.sensor.band();
     scene.moreBands.clear();
+    // Before what is behind the target itself, which no row of a picture is.
+    scene.settings.backgroundRows = 0;
+    scene.settings.backgroundColumns = 1;
     // Far away a target is smaller than a pixel, which other modes miss.
     if (!scene.settings.usesAlignedTiles()) {
         scene.settings.tileStrategy = irsg::TileStrategy::aligned;
@@ -133,16 +137,36 @@ std::pair<double, double> TargetAspect::takeClutter(BackgroundClutter& clutter) 
     return {inKelvin(measured.deviation_W_m2_sr), inKelvin(measured.error_W_m2_sr)};
 }
 
+double TargetAspect::reach_m() const {
+    return shared_.door.reach_m(scene_.entities.front());
+}
+
+double TargetAspect::drawnBelow_m() const {
+    // Where it is too near for one drawing, or reaches out of the frame.
+    const irsg::Sensor& sensor = scene_.sensor;
+    const double halfSide = 0.5 * sensor.pixelPitch() * std::min(sensor.width_px, sensor.height_px);
+    constexpr double margin = 1.01;
+    return margin * reach_m() * std::max(1.0 / irsg::RangeGeometry::closest, 1.0 + 1.0 / halfSide);
+}
+
+void TargetAspect::sampleFrom(double range_m) {
+    if (sampledFrom_m_ == range_m)
+        return;
+    sampledFrom_m_ = range_m;
+    std::erase_if(known_, [](const auto& known) { return known.second.isAlongRange; });
+}
+
 TargetLook TargetAspect::at(double range_m, bool withErrors) {
     const auto key = std::pair(range_m, withErrors);
     if (const auto known = known_.find(key); known != known_.end())
         return known->second;
     case_.range_m = range_m;
     const PlacedCase placed = shared_.placer.place(scene_, case_);
-    const irsg::Outputs outputs = irsg::Outputs::reports()
-                                      .alongRange()
-                                      .withErrors(withErrors)
-                                      .bySurface(!shared_.leftOut.empty());
+    const irsg::Outputs::Reports ofRange =
+        sampledFrom_m_ ? irsg::Outputs::reports().alongRangeFrom(*sampledFrom_m_)
+                       : irsg::Outputs::reports().alongRange();
+    const irsg::Outputs outputs =
+        ofRange.withErrors(withErrors).bySurface(!shared_.leftOut.empty());
     const irsg::RenderReport report = placed.render(shared_.door, outputs).reports.front();
     irsg::addProvider(data_.providedBy, report.providedBy);
     warnings_.addReport(report, data_.settings[key::renderLayers]);
@@ -163,6 +187,7 @@ TargetLook TargetAspect::at(double range_m, bool withErrors) {
     if (report.all.errors)
         look.error_W_m2 = report.all.errors->irradiance_W_m2.sum();
     look.background_W_m2_sr = report.background_W_m2_sr;
+    look.isAlongRange = report.isAlongRange;
     look.clutter_W_m2_sr = clutter_W_m2_sr_;
     look.clutterError_W_m2_sr = clutterError_W_m2_sr_;
     sight_.see(look);
@@ -194,6 +219,7 @@ TargetLook TargetAspect::between(const irsg::DetectionRange& found) {
         look.*member = mean(member);
     look.clutter_W_m2_sr = clutter_W_m2_sr_;
     look.isFull = std::ranges::any_of(looks, &TargetLook::isFull);
+    look.isAlongRange = std::ranges::any_of(looks, &TargetLook::isAlongRange);
     const auto nearest =
         std::ranges::max_element(found.around, {}, &irsg::DetectionRange::Node::weight);
     const TargetLook known = at(nearest->range_m, true);

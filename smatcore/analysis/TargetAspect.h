@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -55,6 +56,14 @@ class TargetAspect {
     /// standard deviations. Throws InputError.
     std::pair<double, double> takeClutter(BackgroundClutter& clutter);
 
+    /// How far the target reaches from its reference point, m; at ranges below `drawnBelow_m` it is
+    /// drawn for each of them.
+    double reach_m() const;
+    double drawnBelow_m() const;
+    /// From now on the target is sampled from this range alone and taken to be seen so from any
+    /// other (irsg::Outputs::Reports::alongRangeFrom).
+    void sampleFrom(double range_m);
+
     /// Throws InputError for a range that the scene refuses.
     TargetLook at(double range_m, bool withErrors);
     /// At the range that was found, interpolated on the grid; the relative error is that of the
@@ -68,6 +77,7 @@ class TargetAspect {
     AnalysisCase case_;
     AnalysisData& data_;
     CaseWarnings& warnings_;
+    std::optional<double> sampledFrom_m_;
     double clutter_W_m2_sr_ = 0.0, clutterError_W_m2_sr_ = 0.0;
     std::map<std::pair<double, bool>, TargetLook> known_;
 };

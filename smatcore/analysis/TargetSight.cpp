@@ -109,10 +109,9 @@ double TargetSight::ratioOf(double probability) const {
 
 const TargetSight::Background& TargetSight::background(double radiance_W_m2_sr) {
     const double key = request_.background_K.value_or(radiance_W_m2_sr);
-    const auto [known, isNew] = known_.try_emplace(key);
-    if (isNew)
-        known->second = made(radiance_W_m2_sr);
-    return known->second;
+    if (const auto known = known_.find(key); known != known_.end())
+        return known->second;
+    return known_[key] = made(radiance_W_m2_sr); // which may throw
 }
 
 TargetSight::Background TargetSight::made(double radiance_W_m2_sr) const {

@@ -25,7 +25,8 @@ RenderDoor openRenderDoor() {
         .stageTimes = [renderer] { return renderer->stageTimes(); },
         .check =
             [renderer](const irsg::Scene& scene, const irsg::SensorView& view,
-                       const irsg::Outputs& outputs) { renderer->check(scene, view, outputs); }};
+                       const irsg::Outputs& outputs) { renderer->check(scene, view, outputs); },
+        .reach_m = [renderer](const irsg::Entity& entity) { return renderer->reach_m(entity); }};
 }
 
 } // namespace smat

@@ -29,6 +29,8 @@ struct RenderDoor {
     /// See irsg::Renderer::check; closed forms refuse nothing.
     std::function<void(const irsg::Scene&, const irsg::SensorView&, const irsg::Outputs&)> check =
         [](const irsg::Scene&, const irsg::SensorView&, const irsg::Outputs&) {};
+    /// See irsg::Renderer::reach_m; closed forms are points.
+    std::function<double(const irsg::Entity&)> reach_m = [](const irsg::Entity&) { return 0.0; };
 
     bool isOpen() const { return begin != nullptr; }
     irsg::Rendered render(const irsg::Scene& scene, const irsg::SensorView& view,

@@ -199,10 +199,11 @@ TEST(SmatBatchDetectionComparison, DirectionsAreThoseOfATableAndAgreeWithAPolarP
     EXPECT_EQ(table.columns()[2].key, "detection_range");
     const ResultTable polar =
         detected(folder, "box/box.smat", with({"--step", "90", "--offset", "45"}, plain));
+    // But for where the aspect before each begins its search (design/054).
     for (std::size_t row = 0; row < 4; ++row) {
         EXPECT_NEAR(valueOf(table, "detection_range", row + 4),
                     valueOf(polar, "detection_range", row),
-                    1e-9 * valueOf(polar, "detection_range", row));
+                    3e-5 * valueOf(polar, "detection_range", row));
     }
 }
 

@@ -335,6 +335,27 @@ TEST(SmatBatchDetection, InAirOfABandADenseSearchFindsTheSameRange) {
     EXPECT_NEAR(rangeOf("4") / rangeOf("40"), 1.0, 1e-5);
 }
 
+// The search of an aspect begins where the one before it ended.
+TEST(SmatBatchDetection, RangesOfARoseAreThoseOfEachAspectAlone) {
+    const TemporaryFolder folder;
+    const auto rose = [&](const char* from, const char* to, const char* step) {
+        const Ran ran =
+            smatBatch(with({"detection", sample("turboprop4/turboprop4.smat"), "--sensor",
+                            sensorFile(folder), "--set", "render.bounces=0", "--from", from, "--to",
+                            to, "--step", step, "--out", folder / "r.csv"},
+                           plain));
+        EXPECT_EQ(ran.exitCode, 0) << ran.err;
+        return ResultTable::load(folder / "r.csv");
+    };
+    const ResultTable whole = rose("0", "360", "45");
+    ASSERT_EQ(whole.rowCount(), 8u);
+    const ResultTable alone = rose("135", "136", "1");
+    const double range_m = valueOf(whole, "detection_range", 3);
+    EXPECT_NEAR(valueOf(alone, "detection_range", 0) / range_m, 1.0, 1e-4);
+    EXPECT_GT(std::abs(valueOf(whole, "detection_range", 0) / range_m - 1.0), 0.05)
+        << "aspects differ";
+}
+
 } // namespace
 
 } // namespace smat::test

@@ -4,11 +4,13 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <memory>
 #include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "irsg/atmosphere/AtmosphereSmart.h"
 #include "irsg/atmosphere/BeerLambert.h"
 #include "irsg/core/ParallelFor.h"
 #include "irsg/radiance/RangeGeometry.h"
@@ -313,6 +315,75 @@ TEST(RangeCurve, TakesStrongAirAlongAnObjectAtEveryRange) {
         irsg.scene.settings = settings;
     }
     EXPECT_TRUE(wasSliced) << "slices matter here";
+}
+
+// The directions of the sky that a polished surface reflects hang from the horizon of its altitude,
+// which is rounded by the range.
+TEST(RangeCurve, OfAPolishedBodyIsSampledOnceForAllRanges) {
+    AtmosphereSmartParameters parameters;
+    parameters.resolution_per_cm = 15;
+    SignatureDatabase database = greyDatabase(0.3, temperature_K);
+    database.materials[1].surfaceModel = "ggx";
+    database.materials[1].roughness = 0.3;
+    InteractiveRenderer irsg = generatorOf(
+        {entityOf(modelOf(boxMesh({2, 6, 1.5}, std::vector<IrCodes>(6, one))), database)}, 64);
+    irsg.scene.environment = {};
+    irsg.scene.environment.add(std::make_shared<const AtmosphereSmart>(parameters));
+    irsg.scene.settings.background = BackgroundMode::environment;
+    irsg.scene.settings.backgroundRows = 0;
+    irsg.scene.settings.ambientReflection = ReflectionMode::smart;
+    irsg.scene.settings.hotSpots = false;
+    irsg.scene.entities[0].pose.position_m.z = 250.0;
+    for (const double range_m : rangesFrom(120.0, 400.0, 12)) {
+        look(irsg, {40, 0}, range_m);
+        (void)along(irsg);
+    }
+    EXPECT_LE(drawings(irsg), 5);
+}
+
+// A search looks at many ranges and asks for one: one drawing, at which it is right, and whose
+// errors hold what perspective leaves elsewhere.
+TEST(RangeCurve, FromOneDrawingIsRightThereAndWithinItsErrorElsewhere) {
+    Curves curves;
+    curves.aspect = {150, 12}; // the hot pipes are nearer than the nose
+    InteractiveRenderer& irsg = curves.irsg;
+    irsg.scene.settings = settingsOf(512);
+    for (const double sampledAt_m : {500.0, 4000.0}) {
+        for (const double range_m : {500.0, 700.0, 4000.0, 40000.0}) {
+            look(irsg, curves.aspect, range_m);
+            const ObjectRadiometry nodes =
+                irsg.render(Outputs::reports().alongRange().withErrors(false)).reports.front().all;
+            const long before = drawings(irsg);
+            const RenderReport report =
+                irsg.render(Outputs::reports().alongRangeFrom(sampledAt_m).withErrors())
+                    .reports.front();
+            EXPECT_TRUE(report.isAlongRange);
+            EXPECT_LE(drawings(irsg) - before, 1);
+            const double off = report.all.intensity_W_sr / nodes.intensity_W_sr - 1.0;
+            const double error = report.all.errors->intensity_W_sr.sum() / nodes.intensity_W_sr;
+            EXPECT_LT(std::abs(off), error + 4e-4) << sampledAt_m << " to " << range_m;
+            if (sampledAt_m == range_m) {
+                EXPECT_LT(std::abs(off), 2e-3) << range_m;
+            }
+            std::printf("from %g m at %g m: off by %.1e of %.1e\n", sampledAt_m, range_m, off,
+                        error);
+        }
+    }
+}
+
+// Two searches of one aspect differ in nothing that ranges between them were asked for.
+TEST(RangeCurve, FromOneDrawingDoesNotDependOnWhatWasAskedBefore) {
+    InteractiveRenderer irsg = generatorOf({sampleAircraft()}, 128);
+    const auto at = [&](double range_m) {
+        look(irsg, {70, 5}, range_m);
+        const Outputs::Reports outputs = Outputs::reports().alongRangeFrom(3000.0);
+        return irsg.render(outputs).reports.front().all.intensity_W_sr;
+    };
+    const double first = at(5000.0);
+    for (const double range_m : {900.0, 3000.0, 20000.0}) {
+        (void)at(range_m);
+    }
+    EXPECT_EQ(at(5000.0), first);
 }
 
 TEST(RangeCurve, DrawsWhatIsNearOrCutOffOrOverlapsOrIsNotLookedAt) {

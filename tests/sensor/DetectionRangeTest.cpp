@@ -90,6 +90,47 @@ TEST(DetectionRange, AllTargetsAreLookedAtAtRangesOfOneGrid) {
     EXPECT_LT(calls / 200, 40u);
 }
 
+TEST(DetectionRange, NearRangesThatCostMoreAreLookedAtOnlyWhereNothingIsSeenBeyond) {
+    const RangeLimits limits{.nearest_m = 100.0, .farthest_m = 1e6, .costlyBelow_m = 5000.0};
+    for (const double intensity : {1e-3, 1e-1, 10.0}) { // seen as far as 100 m to 30 km
+        double nearest_m = 1e9;
+        const DetectionRange found = detectionRange(
+            [&](double r) {
+                nearest_m = std::min(nearest_m, r);
+                return intensity / (r * r) / 1e-9;
+            },
+            1.1, limits);
+        const double expected_m = std::sqrt(intensity / 1.1e-9);
+        EXPECT_EQ(found.found, Found::atRange);
+        EXPECT_NEAR(found.range_m / expected_m, 1.0, 1e-6);
+        if (expected_m > 5000.0) {
+            EXPECT_GE(nearest_m, 5000.0 * (1.0 - 1e-12));
+        } else {
+            EXPECT_LE(nearest_m, expected_m);
+        }
+    }
+}
+
+// A contrast that changes its sign between two looks dips below the threshold there, however large
+// it is at both.
+TEST(DetectionRange, AChangeOfSignBetweenTwoLooksIsLookedInto) {
+    const double zero_m = 3011.0;
+    const auto ratio = [&](double r) {
+        return std::tanh(40.0 * (1.0 - r / zero_m)) * (r < 3100.0 ? 10.0 : 0.02);
+    };
+    const DetectionRange found =
+        detectionRange(ratio, 1.0, {.nearest_m = 100.0, .farthest_m = 1e6, .looksPerDecade = 2000});
+    EXPECT_EQ(found.crossings, 3);
+    std::size_t calls = 0;
+    const auto signless = [&](double r) {
+        ++calls;
+        return 1e12 / (r * r);
+    };
+    (void)detectionRange(signless, 1.0,
+                         {.nearest_m = 100.0, .farthest_m = 1e6, .looksPerDecade = 2000});
+    EXPECT_LT(calls, 40u) << "where nothing crosses four looks per decade are enough";
+}
+
 TEST(DetectionRange, WhatIsNeverOrAlwaysSeenIsSaid) {
     const RangeLimits limits{.nearest_m = 100.0, .farthest_m = 1000.0};
     EXPECT_EQ(detectionRange([](double) { return 0.0; }, 5.0, limits).found, Found::nowhere);

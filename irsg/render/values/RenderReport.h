@@ -61,8 +61,11 @@ struct RenderReport {
     std::vector<std::string> warnings;   ///< each said once
     std::vector<SampledTile> tiles;      ///< what the antialiasing sampled by itself
     long flooredPixels = 0;              ///< of the background, whose sum was below 0
-    int layersLeftOver = 0;              ///< samples with more transparent layers than are kept
-    std::string renderer;                ///< GL renderer and version
+    /// The object that is looked at was sampled for all of its line of sight, as was asked for
+    /// (Outputs::Reports::alongRange).
+    bool isAlongRange = false;
+    int layersLeftOver = 0; ///< samples with more transparent layers than are kept
+    std::string renderer;   ///< GL renderer and version
 };
 
 struct RenderedImage {
