@@ -209,14 +209,14 @@ void LightExchange::sharpen(std::vector<float>& values, std::size_t width) const
     }
 }
 
-void LightExchange::sharpenSent(const std::vector<float>& means, std::size_t width,
+void LightExchange::sharpenSent(std::span<const float> means, std::size_t width, std::size_t count,
                                 std::uint32_t sender, float* own) const {
     const std::size_t body = bodyOfSender(sender), first = firstSender_[body];
     const LightPairs& smoothing = bodies_[body].light->nodes().smoothingOfSenders();
     const auto local = static_cast<std::uint32_t>(sender - first);
     const float* const mean = &means[sender * width];
-    smoothing.gather(local, std::span(means).subspan(first * width), width, width, own);
-    for (std::size_t c = 0; c < width; ++c)
+    smoothing.gather(local, means.subspan(first * width), width, count, own);
+    for (std::size_t c = 0; c < count; ++c)
         own[c] = smoothing.isEmpty(local) ? 0.0f : mean[c] - own[c];
 }
 

@@ -147,10 +147,11 @@ class LightExchange {
     /// the places that a node has a part of, and that of the nodes that a place has a part of.
     /// One step of van Cittert's; sums over surfaces stay.
     void sharpen(std::vector<float>& values, std::size_t width) const;
-    /// The same for senders, of what they reflect: how much more they send than their means, so
-    /// that means over what they send are those.
-    void sharpenSent(const std::vector<float>& means, std::size_t width, std::uint32_t sender,
-                     float* own) const;
+    /// The same for a sender, of what it reflects: how much more it sends than its means, so that
+    /// means over what is sent are those. `means` begins at the first of `count` numbers of the
+    /// first sender, which has `width`; `own` takes those of this one.
+    void sharpenSent(std::span<const float> means, std::size_t width, std::size_t count,
+                     std::uint32_t sender, float* own) const;
     /// Whether anybody sees it.
     bool isSeen(std::size_t sender) const { return isSeen_[sender]; }
     /// Part of the hemisphere of a receiver in which others stand.
@@ -302,8 +303,13 @@ class LightExchange {
     /// and all others as `common` has it.
     LightBalance withOwnOf(const Making& making, const LightBalance& common,
                            const std::vector<const LightBalance*>& ofBodies) const;
-    /// Pairs of all bodies from those of each, by their own numbers; null: of one that has none.
-    LightBalance balanceOfAlone(const std::vector<const LightBalance*>& ofBodies) const;
+    /// Pairs that hold those of a body: null for none, by the body's own numbers or by the scene's.
+    struct BalanceOfBody {
+        const LightBalance* balance = nullptr;
+        bool isOwn = true;
+    };
+    /// Pairs of all bodies from those of each.
+    LightBalance joined(const std::vector<BalanceOfBody>& ofBodies) const;
     /// Adds what a body alone sees through transparent materials; `sunOnRows`: by the number that
     /// `sunBesideMean()` of the body has, the one that it has here.
     void addThrough(std::size_t body, const LightThrough& own,

@@ -43,13 +43,10 @@ LightExchange::LightExchange(std::vector<std::shared_ptr<const LightExchange>> o
         for (const LightThrough& one : alone_[b]->through_)
             addThrough(b, one, sunOnRows[b]);
     }
-    const std::vector<const LightBalance*> balances = [&] {
-        std::vector<const LightBalance*> all;
-        for (const auto& own : alone_)
-            all.push_back(&own->balance_);
-        return all;
-    }();
-    balance_ = balanceOfAlone(balances);
+    std::vector<BalanceOfBody> balances;
+    for (const auto& own : alone_)
+        balances.push_back({&own->balance_, true});
+    balance_ = joined(balances);
     std::vector<LightPairs::Block> sun;
     for (std::size_t b = 0; b < alone_.size(); ++b)
         sun.push_back({&alone_[b]->sunBesideMean_, 0, alone_[b]->receivers(), 0, &sunOnRows[b]});
@@ -58,16 +55,18 @@ LightExchange::LightExchange(std::vector<std::shared_ptr<const LightExchange>> o
         addReflected();
 }
 
-LightBalance LightExchange::balanceOfAlone(const std::vector<const LightBalance*>& ofBodies) const {
+LightBalance LightExchange::joined(const std::vector<BalanceOfBody>& ofBodies) const {
     std::vector<LightPairs::Block> pairs, between;
     bool areSame = senders() == receivers();
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
         const ExchangeNodes& nodes = bodies_[b].light->nodes();
-        const LightBalance* const own = ofBodies[b];
-        pairs.push_back({own ? own->pairs.get() : nullptr, 0, nodes.nodes(), firstSender_[b]});
-        between.push_back(
-            {own ? own->between.get() : nullptr, 0, nodes.senders(), firstSender_[b]});
-        areSame = areSame && (own == nullptr || own->pairs == own->between);
+        const auto [balance, isOwn] = ofBodies[b];
+        const std::uint32_t add = isOwn ? firstSender_[b] : 0;
+        pairs.push_back({balance ? balance->pairs.get() : nullptr, isOwn ? 0 : firstReceiver_[b],
+                         nodes.nodes(), add});
+        between.push_back({balance ? balance->between.get() : nullptr, isOwn ? 0 : firstSender_[b],
+                           nodes.senders(), add});
+        areSame = areSame && (balance == nullptr || balance->pairs == balance->between);
     }
     LightBalance all;
     all.pairs = std::make_shared<const LightPairs>(pairs);
@@ -83,9 +82,9 @@ void LightExchange::addThrough(std::size_t body, const LightThrough& own,
     LightThrough& one = throughOf(set);
     for (std::size_t row = 0; row < alone_[body]->rows(); ++row)
         sunOnRows.push_back(static_cast<std::uint32_t>(through_.size() * rows() + row));
-    std::vector<const LightBalance*> balances(bodies_.size());
-    balances[body] = &own.balance;
-    one.balance = balanceOfAlone(balances);
+    std::vector<BalanceOfBody> balances(bodies_.size());
+    balances[body].balance = &own.balance;
+    one.balance = joined(balances);
     const auto put = [](auto& all, std::size_t count, const auto& values, std::size_t first) {
         all.resize(count);
         std::ranges::copy(values, all.begin() + static_cast<std::ptrdiff_t>(first));

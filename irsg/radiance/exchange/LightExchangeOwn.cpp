@@ -21,29 +21,16 @@ LightBalance LightExchange::withOwnOf(const Making& making, const LightBalance& 
                                       const std::vector<const LightBalance*>& ofBodies) const {
     if (bodies_.size() == 1 && making.isAlone(0))
         return *ofBodies.front();
-    bool isAnyAlone = false, areSame = true;
+    bool isAnyAlone = false;
     for (std::size_t b = 0; b < bodies_.size(); ++b)
         isAnyAlone = isAnyAlone || making.isAlone(b);
     if (!isAnyAlone)
         return common;
-    std::vector<LightPairs::Block> pairs, between;
-    for (std::size_t b = 0; b < bodies_.size(); ++b) {
-        const ExchangeNodes& nodes = bodies_[b].light->nodes();
-        const bool isOwn = making.isAlone(b);
-        const LightBalance* const from = isOwn ? ofBodies[b] : &common;
-        const std::size_t first = isOwn ? 0 : firstReceiver_[b];
-        const std::size_t firstOfSenders = isOwn ? 0 : firstSender_[b];
-        const std::uint32_t add = isOwn ? firstSender_[b] : 0;
-        pairs.push_back({from ? from->pairs.get() : nullptr, first, nodes.nodes(), add});
-        between.push_back(
-            {from ? from->between.get() : nullptr, firstOfSenders, nodes.senders(), add});
-        areSame = areSame && (from == nullptr || from->pairs == from->between);
-    }
-    LightBalance all;
-    all.pairs = std::make_shared<const LightPairs>(pairs);
-    all.between = areSame && senders() == receivers() ? all.pairs
-                                                      : std::make_shared<const LightPairs>(between);
-    return all;
+    std::vector<BalanceOfBody> all;
+    for (std::size_t b = 0; b < bodies_.size(); ++b)
+        all.push_back(making.isAlone(b) ? BalanceOfBody{ofBodies[b], true}
+                                        : BalanceOfBody{&common, false});
+    return joined(all);
 }
 
 /// Adds up what the rays of a patch that meet its body bring: at the corners of each cell where

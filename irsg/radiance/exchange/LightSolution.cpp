@@ -369,8 +369,10 @@ std::vector<float> LightSolution::arrivingAtSenders(const LightFactors& factors,
                                  &means[s * width + first]);
     });
     forEachInParts(exchange.senders(), [&](std::size_t s, std::size_t) {
-        exchange.sharpenSent(means, width, static_cast<std::uint32_t>(s), &all[s * width]);
-        for (std::size_t c = 0; c < width; ++c)
+        const auto [first, count] = ofBodies[exchange.bodyOfSender(s)];
+        exchange.sharpenSent(std::span(means).subspan(first), width, count,
+                             static_cast<std::uint32_t>(s), &all[s * width + first]);
+        for (std::size_t c = first; c < first + count; ++c)
             all[s * width + c] += means[s * width + c];
     });
     return all;
@@ -410,7 +412,8 @@ void LightSolution::iterate(const LightFactors& factors, const std::vector<doubl
             const std::size_t s = reflecting[i];
             float* own = rooms[part].data();
             const auto [first, count] = ofBodies[exchange.bodyOfSender(s)];
-            exchange.sharpenSent(reflected, width, static_cast<std::uint32_t>(s), own);
+            exchange.sharpenSent(std::span<const float>(reflected).subspan(first), width, count,
+                                 static_cast<std::uint32_t>(s), own + first);
             for (std::size_t c = first; c < first + count; ++c) {
                 const float now = sent[s * width + c] + reflected[s * width + c] + own[c];
                 changes[part] = std::max(changes[part], std::abs(now - leaving[s * width + c]));
