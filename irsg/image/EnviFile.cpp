@@ -14,6 +14,7 @@
 #include "irsg/core/Remarks.h"
 #include "irsg/core/Utf8.h"
 #include "irsg/core/Wording.h"
+#include "irsg/core/WrittenPath.h"
 #include "irsg/image/ExrFile.h"
 #include "irsg/image/ImageFormat.h"
 #include "irsg/image/RawNumbers.h"
@@ -39,6 +40,14 @@ bool isRegular(const fs::path& file) {
 
 bool isHeader(const fs::path& file) {
     return isRegular(file) && beginsAsEnvi(readFileBeginning(file, 64));
+}
+
+/// A file by a name that may have other upper and lower case; empty where there is none.
+fs::path regularFile(const fs::path& named) {
+    if (isRegular(named))
+        return named;
+    const fs::path found = findWritten(named.parent_path(), named.filename().string()).file;
+    return isRegular(found) ? found : fs::path();
 }
 
 /// The keys of a header with their values, which may go over lines in braces.
@@ -154,8 +163,8 @@ fs::path dataOf(const fs::path& header, const fs::path& asked) {
         return asked;
     const fs::path stem = fs::path(header).replace_extension();
     for (const char* const extension : dataExtensions) {
-        const fs::path data = stem.string() + extension;
-        if (data != header && isRegular(data))
+        const fs::path data = regularFile(stem.string() + extension);
+        if (!data.empty() && data != header)
             return data;
     }
     throw InputError({header.string(), "", "no data beside this header",
@@ -184,8 +193,8 @@ std::vector<std::string> bandNames(const EnviHeader& header, std::size_t bands) 
 fs::path enviHeaderOf(const fs::path& file) {
     for (const fs::path& header :
          {file, fs::path(file.string() + ".hdr"), fs::path(file).replace_extension(".hdr")})
-        if (isHeader(header))
-            return header;
+        if (const fs::path found = regularFile(header); !found.empty() && isHeader(found))
+            return found;
     return {};
 }
 

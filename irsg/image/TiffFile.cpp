@@ -25,7 +25,7 @@ constexpr int mostPages = 1000;
 struct Layout {
     std::uint32_t width = 0, height = 0;
     std::uint16_t bits = 1, format = SAMPLEFORMAT_UINT, samples = 1, planar = PLANARCONFIG_CONTIG;
-    std::uint16_t orientation = ORIENTATION_TOPLEFT;
+    std::uint16_t orientation = ORIENTATION_TOPLEFT, photometric = PHOTOMETRIC_MINISBLACK;
     bool isTiled = false, isColoured = false;
 
     std::size_t bytesPerValue() const { return bits / 8U; }
@@ -68,10 +68,7 @@ class TiffReader {
         RadianceImage image;
         std::string leftOut;
         bool isOurs = false;
-        int page = firstPicture() - 1;
-        for (int before = 1; before <= page; ++before)
-            leftOut += (leftOut.empty() ? "page " : ", page ") + std::to_string(before) +
-                       " (a reduced copy or a mask)";
+        int page = firstPicture(leftOut) - 1;
         const int first = page + 1;
         do {
             if (++page > mostPages)
@@ -79,7 +76,7 @@ class TiffReader {
                                   "at most " + std::to_string(mostPages) + " planes"});
             const std::string why = page > first ? reasonAgainst(image) : "";
             if (!why.empty())
-                leftOut += (leftOut.empty() ? "page " : ", page ") + std::to_string(page) + why;
+                addLeftOut(leftOut, page, why);
             else
                 readPage(image, page);
             isOurs = isOurs || isOfOurs();
@@ -143,34 +140,44 @@ class TiffReader {
                std::string_view(description).starts_with("channel: ");
     }
 
-    /// Goes to the first page that is no reduced copy and no mask, where there is one, else to the
-    /// first of all; its number.
-    int firstPicture() {
+    static void addLeftOut(std::string& leftOut, int page, const std::string& why) {
+        leftOut += (leftOut.empty() ? "page " : ", page ") + std::to_string(page) + why;
+    }
+
+    /// Goes to the first page of values that is no reduced copy and no mask, where there is one,
+    /// else to the first of all; its number. Those before it are added to `leftOut`.
+    int firstPicture(std::string& leftOut) {
         int page = 1;
-        for (; isCopyOrMask() && page < mostPages; ++page)
+        for (std::string why; !(why = reasonAgainst()).empty() && page < mostPages; ++page) {
+            addLeftOut(leftOut, page, why);
             if (TIFFReadDirectory(tiff_.get()) != 1) {
                 if (!memory_.complaint.empty())
                     refuse("page " + std::to_string(page + 1), "an undamaged page or none");
                 TIFFSetDirectory(tiff_.get(), 0);
+                leftOut.clear();
                 return 1;
             }
+        }
         return page;
     }
 
-    bool isCopyOrMask() const {
+    /// Why the present page is no picture of values, " (...)"; empty where it is one.
+    std::string reasonAgainst() const {
         std::uint32_t kind = 0;
-        TIFFGetField(tiff_.get(), TIFFTAG_SUBFILETYPE, &kind);
-        return (kind & (FILETYPE_REDUCEDIMAGE | FILETYPE_MASK)) != 0;
-    }
-
-    /// Why the present page is no plane of the image, " (...)"; empty where it is one.
-    std::string reasonAgainst(const RadianceImage& image) const {
-        std::uint32_t kind = 0, width = 0, height = 0;
         TIFFGetField(tiff_.get(), TIFFTAG_SUBFILETYPE, &kind);
         if ((kind & FILETYPE_REDUCEDIMAGE) != 0)
             return " (a reduced copy)";
         if ((kind & FILETYPE_MASK) != 0)
             return " (a mask)";
+        const std::string what = otherThanValues(storageOf());
+        return what.empty() ? "" : " (" + what + ")";
+    }
+
+    /// The same, and why it is no plane of this image.
+    std::string reasonAgainst(const RadianceImage& image) const {
+        if (std::string why = reasonAgainst(); !why.empty())
+            return why;
+        std::uint32_t width = 0, height = 0;
         TIFFGetField(tiff_.get(), TIFFTAG_IMAGEWIDTH, &width);
         TIFFGetField(tiff_.get(), TIFFTAG_IMAGELENGTH, &height);
         const auto wide = static_cast<std::uint32_t>(image.width());
@@ -180,28 +187,44 @@ class TiffReader {
                    : " (" + std::to_string(width) + " x " + std::to_string(height) + " pixels)";
     }
 
-    Layout layoutOf(const std::string& page) const {
+    /// How the present page stores what it has, without its size.
+    Layout storageOf() const {
         Layout layout;
         TIFF* tiff = tiff_.get();
-        if (TIFFGetField(tiff, TIFFTAG_IMAGEWIDTH, &layout.width) != 1 ||
-            TIFFGetField(tiff, TIFFTAG_IMAGELENGTH, &layout.height) != 1)
-            throw InputError({name_, page, "no size", "a width and a height"});
         TIFFGetFieldDefaulted(tiff, TIFFTAG_BITSPERSAMPLE, &layout.bits);
         TIFFGetFieldDefaulted(tiff, TIFFTAG_SAMPLEFORMAT, &layout.format);
         TIFFGetFieldDefaulted(tiff, TIFFTAG_SAMPLESPERPIXEL, &layout.samples);
         TIFFGetFieldDefaulted(tiff, TIFFTAG_PLANARCONFIG, &layout.planar);
         layout.isTiled = TIFFIsTiled(tiff) != 0;
+        TIFFGetField(tiff, TIFFTAG_PHOTOMETRIC, &layout.photometric);
+        layout.isColoured = layout.photometric == PHOTOMETRIC_RGB &&
+                            layout.format == SAMPLEFORMAT_IEEEFP && layout.samples >= 3;
+        TIFFGetFieldDefaulted(tiff, TIFFTAG_ORIENTATION, &layout.orientation);
+        return layout;
+    }
 
-        std::uint16_t photometric = PHOTOMETRIC_MINISBLACK;
-        TIFFGetField(tiff, TIFFTAG_PHOTOMETRIC, &photometric);
+    /// What a page stores in place of values; "" where it has values.
+    static std::string otherThanValues(const Layout& layout) {
         const bool isNumber =
             layout.format == SAMPLEFORMAT_IEEEFP
                 ? layout.bits == 16 || layout.bits == 32 || layout.bits == 64
                 : (layout.format == SAMPLEFORMAT_UINT || layout.format == SAMPLEFORMAT_INT) &&
                       (layout.bits == 8 || layout.bits == 16 || layout.bits == 32);
-        layout.isColoured = photometric == PHOTOMETRIC_RGB &&
-                            layout.format == SAMPLEFORMAT_IEEEFP && layout.samples >= 3;
-        TIFFGetFieldDefaulted(tiff, TIFFTAG_ORIENTATION, &layout.orientation);
+        if (!isNumber)
+            return std::to_string(layout.bits) + "-bit samples of format " +
+                   std::to_string(layout.format);
+        return layout.photometric == PHOTOMETRIC_MINISBLACK || layout.isColoured
+                   ? ""
+                   : "colours (photometric interpretation " + std::to_string(layout.photometric) +
+                         ")";
+    }
+
+    Layout layoutOf(const std::string& page) const {
+        TIFF* tiff = tiff_.get();
+        Layout layout = storageOf();
+        if (TIFFGetField(tiff, TIFFTAG_IMAGEWIDTH, &layout.width) != 1 ||
+            TIFFGetField(tiff, TIFFTAG_IMAGELENGTH, &layout.height) != 1)
+            throw InputError({name_, page, "no size", "a width and a height"});
         std::uint16_t compression = COMPRESSION_NONE, subfiles = 0;
         TIFFGetField(tiff, TIFFTAG_COMPRESSION, &compression);
         if (compression == COMPRESSION_JPEG || compression == COMPRESSION_OJPEG)
@@ -215,12 +238,8 @@ class TiffReader {
                 {name_, page,
                  "rows that are columns (orientation " + std::to_string(layout.orientation) + ")",
                  "an orientation from 1 to 4"});
-        if (!isNumber || (photometric != PHOTOMETRIC_MINISBLACK && !layout.isColoured))
-            throw InputError({name_, page,
-                              !isNumber ? std::to_string(layout.bits) + "-bit samples of format " +
-                                              std::to_string(layout.format)
-                                        : "colours (photometric interpretation " +
-                                              std::to_string(photometric) + ")",
+        if (const std::string what = otherThanValues(layout); !what.empty())
+            throw InputError({name_, page, what,
                               "values: floats of 16, 32 or 64 bits or integers of 8, 16 or 32"});
         const auto limit = static_cast<std::uint32_t>(largestImageSide_px);
         if (layout.width < 1 || layout.height < 1 || layout.width > limit ||

@@ -5,14 +5,18 @@
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfDeepFrameBuffer.h>
 #include <OpenEXR/ImfDeepScanLineOutputFile.h>
+#include <OpenEXR/ImfDeepScanLineOutputPart.h>
 #include <OpenEXR/ImfFloatAttribute.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfInputFile.h>
 #include <OpenEXR/ImfIntAttribute.h>
+#include <OpenEXR/ImfMultiPartOutputFile.h>
 #include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfOutputPart.h>
 #include <OpenEXR/ImfPartType.h>
 #include <OpenEXR/ImfTiledOutputFile.h>
+#include <OpenEXR/ImfTiledOutputPart.h>
 #include <gmock/gmock.h>
 
 #include "irsg/core/FileReading.h"
@@ -181,6 +185,86 @@ TEST(ExrFile, ReadsThePartWithRadianceAndSaysWhatItLeavesOut) {
                 HasSubstr("no part '3', expected one of its parts: 1 "));
     EXPECT_THAT(inputErrorOf([&] { readImageFile(file, {.page = 2}); }), HasSubstr("page 2"));
     EXPECT_TRUE(imageParts(strangers / "multipart-exr/radiance.exr").empty());
+}
+
+/// A part of four pixels, in tiles or lines, or of deep data.
+struct PartMade {
+    const char* name;
+    const char* channel;
+    std::string type;
+    float first;
+};
+
+void writeParts(const std::filesystem::path& file, const std::vector<PartMade>& parts) {
+    std::vector<Imf::Header> headers;
+    for (const PartMade& part : parts) {
+        Imf::Header header(2, 2);
+        header.setName(part.name);
+        header.setType(part.type);
+        header.channels().insert(part.channel, Imf::Channel(Imf::FLOAT));
+        header.compression() = Imf::ZIPS_COMPRESSION;
+        if (part.type == Imf::TILEDIMAGE) {
+            header.setTileDescription(Imf::TileDescription(1, 1, Imf::MIPMAP_LEVELS));
+        }
+        headers.push_back(header);
+    }
+    Imf::MultiPartOutputFile output(file.c_str(), headers.data(), static_cast<int>(headers.size()));
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const float first = parts[i].first;
+        float values[] = {first, first + 1, first + 2, first + 3};
+        const auto number = static_cast<int>(i);
+        if (parts[i].type == Imf::DEEPSCANLINE) {
+            unsigned counts[] = {1, 1, 1, 1};
+            float* pointers[] = {values, values + 1, values + 2, values + 3};
+            Imf::DeepFrameBuffer frame;
+            frame.insertSampleCountSlice(Imf::Slice(Imf::UINT, reinterpret_cast<char*>(counts),
+                                                    sizeof counts[0], 2 * sizeof counts[0]));
+            frame.insert(parts[i].channel,
+                         Imf::DeepSlice(Imf::FLOAT, reinterpret_cast<char*>(pointers),
+                                        sizeof pointers[0], 2 * sizeof pointers[0], sizeof(float)));
+            Imf::DeepScanLineOutputPart part(output, number);
+            part.setFrameBuffer(frame);
+            part.writePixels(2);
+            continue;
+        }
+        Imf::FrameBuffer frame;
+        frame.insert(parts[i].channel,
+                     Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(values), 4, 8));
+        if (parts[i].type == Imf::TILEDIMAGE) {
+            Imf::TiledOutputPart part(output, number);
+            for (int level = 0; level < part.numLevels(); ++level) {
+                part.setFrameBuffer(frame);
+                part.writeTiles(0, part.numXTiles(level) - 1, 0, part.numYTiles(level) - 1, level);
+            }
+        } else {
+            Imf::OutputPart part(output, number);
+            part.setFrameBuffer(frame);
+            part.writePixels(2);
+        }
+    }
+}
+
+TEST(ExrFile, ReadsTiledPartsBesideDeepOnes) {
+    const test::TemporaryFolder folder;
+    const PartMade deep{"samples", "L", Imf::DEEPSCANLINE, 10.0F};
+    const PartMade tiled{"radiance", "L", Imf::TILEDIMAGE, 20.0F};
+    const PartMade lines{"depth", "Z", Imf::SCANLINEIMAGE, 30.0F};
+    const std::vector<float> radiance = {20, 21, 22, 23}, depth = {30, 31, 32, 33};
+    const auto file = folder / "parts.exr";
+    for (const std::vector<PartMade>& parts :
+         {std::vector{deep, tiled, lines}, {lines, deep, tiled}, {tiled, lines, deep}}) {
+        writeParts(file, parts);
+        const CollectedRemarks remarks;
+        EXPECT_EQ(readExr(file).primary().values, radiance) << parts[0].name;
+        EXPECT_THAT(testing::PrintToString(remarks.sentences()), HasSubstr("deep data"));
+        EXPECT_EQ(readExr(file, {.part = "radiance"}).primary().values, radiance);
+        EXPECT_EQ(readExr(file, {.part = "depth"}).primary().values, depth);
+        EXPECT_THAT(inputErrorOf([&] { readExr(file, {.part = "samples"}); }),
+                    HasSubstr("found deep data"));
+        EXPECT_EQ(imageParts(file).size(), 3U);
+    }
+    writeParts(file, {deep, {"more", "Z", Imf::DEEPSCANLINE, 1.0F}});
+    EXPECT_THAT(inputErrorOf([&] { readExr(file); }), HasSubstr("part 1: found deep data"));
 }
 
 TEST(ExrFile, StoresItsFirstPlaneAsOtherProgramsShowIt) {

@@ -74,6 +74,21 @@ TEST(ForeignImages, EnviBandsAreReadInEveryOrderTypeAndInterleave) {
     }
 }
 
+TEST(ForeignImages, EnviFilesFindEachOtherWhateverTheCaseOfTheirNames) {
+    const std::string header = envi("interleave = bsq\ndata type = 1\n"), data = "\1\2\3\4";
+    for (const auto& [headerName, dataName] :
+         {std::pair("A.HDR", "A.IMG"), std::pair("a.HDR", "a.img"), std::pair("A.hdr", "a.Raw"),
+          std::pair("a.dat.HDR", "a.dat")}) {
+        const test::TemporaryFolder folder;
+        const auto headerFile = writtenFile(folder / headerName, header);
+        const auto dataFile = writtenFile(folder / dataName, data);
+        for (const auto& asked : {headerFile, dataFile}) {
+            EXPECT_EQ(readImageFile(asked).channels.back().values, (std::vector<float>{3, 4}))
+                << asked;
+        }
+    }
+}
+
 TEST(ForeignImages, EnviHeadersThatDoNotFitAreRefused) {
     const auto header = ownFolder() / "a.hdr", data = ownFolder() / "a.img";
     const std::pair<std::string, const char*> rows[] = {

@@ -206,10 +206,57 @@ TEST(TiffFile, ReadsTheFirstPageBehindCopiesAndMasks) {
         EXPECT_EQ(image.channels.size(), 1U);
         EXPECT_EQ(image.primary().values, whole);
         EXPECT_THAT(testing::PrintToString(remarks.sentences()),
-                    HasSubstr("leaves out page 1 (a reduced copy or a mask)"));
+                    HasSubstr(kind == 1 ? "leaves out page 1 (a reduced copy)"
+                                        : "leaves out page 1 (a mask)"));
     }
     // Where there are copies alone, the first is read.
     EXPECT_EQ(read(1, 1).primary().values, small);
+}
+
+TEST(TiffFile, LeavesOutPagesThatHoldNoValuesWithARemark) {
+    const std::vector<float> whole = {1, 2, 3, 4};
+    const std::vector<std::uint8_t> bytes(24, 7);
+    const struct {
+        HandMade made;
+        std::uint16_t photometric;
+        const char* says;
+    } others[] = {
+        {HandMade().size(2, 2, 8, 1).entry(277, 3, 3).data(bytes), 2, "(colours (photometric"},
+        {HandMade().size(2, 2, 1, 1).data(bytes), 1, "(1-bit samples of format 1)"},
+        {HandMade().size(2, 2, 64, 6).data(bytes), 1, "(64-bit samples of format 6)"},
+        {HandMade().size(2, 2, 8, 1).data(bytes), 0, "(colours (photometric"}};
+    for (const auto& other : others) {
+        for (const bool isFirst : {true, false}) {
+            SCOPED_TRACE(std::string(other.says) + (isFirst ? " first" : " last"));
+            HandMade one = other.made, two = HandMade().size(2, 2, 32, 3).data(whole);
+            if (!isFirst) {
+                std::swap(one, two);
+            }
+            std::string file = one.bytes(isFirst ? other.photometric : 1, 8, true);
+            file.resize((file.size() + 1) & ~std::size_t{1});
+            file += two.page(static_cast<std::uint32_t>(file.size()), false,
+                             isFirst ? 1 : other.photometric);
+            const CollectedRemarks remarks;
+            const auto place = writtenFile(ownFolder() / "pages.tif", file);
+            const RadianceImage image = readTiff(place);
+            EXPECT_EQ(image.channels.size(), 1U);
+            EXPECT_EQ(image.primary().values, whole);
+            EXPECT_THAT(
+                testing::PrintToString(remarks.sentences()),
+                HasSubstr(std::string("leaves out page ") + (isFirst ? "1 " : "2 ") + other.says));
+            // Asked for by its number it is refused.
+            EXPECT_THAT(inputErrorOf([&] { readTiff(place, {.page = isFirst ? 1 : 2}); }),
+                        HasSubstr(isFirst ? "page 1" : "page 2"));
+        }
+    }
+    // A whole number of other bits beside floats is a plane.
+    std::string both = HandMade().size(2, 2, 32, 3).data(whole).bytes(1, 8, true);
+    both.resize((both.size() + 1) & ~std::size_t{1});
+    both += HandMade()
+                .size(2, 2, 8, 1)
+                .data(bytes)
+                .page(static_cast<std::uint32_t>(both.size()), false);
+    EXPECT_EQ(readTiff(writtenFile(ownFolder() / "pages.tif", both)).channels.size(), 2U);
 }
 
 TEST(TiffFile, FollowsTheOrientation) {
