@@ -8,6 +8,7 @@
 
 #include "irsg/atmosphere/BeerLambert.h"
 #include "irsg/atmosphere/Vacuum.h"
+#include "irsg/core/ColumnWords.h"
 #include "irsg/core/CsvTable.h"
 #include "irsg/radiometry/CurveSampling.h"
 #include "irsg/radiometry/SpectralHead.h"
@@ -19,12 +20,14 @@ namespace {
 
 constexpr std::string_view wavelengthHeader = "wavelength [um]";
 constexpr std::string_view extinctionHeader = "extinction [km-1]";
+constexpr std::string_view extinctionInMetresHeader = "extinction [m-1]";
 constexpr std::string_view solarHeader = "solar_irradiance [W m-2 um-1]";
 constexpr std::string_view downHeader = "down_flux [W m-2 um-1]";
 constexpr std::string_view upHeader = "up_flux [W m-2 um-1]";
 constexpr std::string_view skyHeader = "sky_radiance [W m-2 sr-1 um-1]";
-constexpr std::array knownHeaders = {wavelengthHeader, extinctionHeader, solarHeader,
-                                     downHeader,       upHeader,         skyHeader};
+constexpr std::array knownHeaders = {wavelengthHeader, extinctionHeader, extinctionInMetresHeader,
+                                     solarHeader,      downHeader,       upHeader,
+                                     skyHeader};
 
 constexpr std::string_view atmosphereKey = "air_temperature [K]";
 constexpr std::string_view groundKey = "ground_temperature [K]";
@@ -46,10 +49,15 @@ bool holds(const std::array<std::string_view, count>& words, std::string_view wo
     return std::ranges::find(words, word) != words.end();
 }
 
-/// A key that looks like a setting: one lower-case word, perhaps with a unit in brackets.
+/// A key that looks like a setting: one lower-case word, perhaps with a unit in brackets, or one of
+/// ours in another unit.
 bool looksLikeSetting(std::string_view key) {
     const std::string_view word = trimmed(key.substr(0, key.find('[')));
-    return !word.empty() && word.find_first_not_of("abcdefghijklmnopqrstuvwxyz_") == word.npos;
+    const std::string name = columnHead(key).name;
+    return (!word.empty() && word.find_first_not_of("abcdefghijklmnopqrstuvwxyz_") == word.npos) ||
+           std::ranges::any_of(knownKeys, [&](std::string_view known) {
+               return !name.empty() && columnHead(known).name == name;
+           });
 }
 
 /// One file on its way from cells to parameters; gathers the diagnostics as it goes.
@@ -70,17 +78,17 @@ class Reader {
   private:
     void readSettings() {
         for (const CsvComment& comment : table_.comments()) {
-            if (!holds(knownKeys, comment.key)) {
+            const std::string_view key = keyOf(comment);
+            if (key.empty()) {
                 if (looksLikeSetting(comment.key)) {
                     diagnostics_.push_back(table_.diagnostic(comment.line, comment.key,
                                                              "one of " + listOf(knownKeys)));
                 }
-            } else if (comment.key != "note" && comment.key != "source" &&
-                       table_.comment(comment.key) != &comment) {
+            } else if (key != "note" && key != "source" && table_.comment(key) != &comment) {
                 diagnostics_.push_back(
                     table_.diagnostic(comment.line, comment.key,
                                       "this key once, not again after line " +
-                                          std::to_string(table_.comment(comment.key)->line)));
+                                          std::to_string(table_.comment(key)->line)));
             }
         }
         air_K_ = temperature(atmosphereKey);
@@ -94,6 +102,14 @@ class Reader {
         }
         if (const CsvComment* name = table_.comment("name"); name && name->value.empty())
             diagnostics_.push_back(table_.diagnostic(name->line, "", "a name"));
+    }
+
+    /// The key that a comment has in any of its spellings; "" for none.
+    static std::string_view keyOf(const CsvComment& comment) {
+        for (const std::string_view known : knownKeys)
+            if (!comment.key.empty() && columnHead(comment.key) == columnHead(known))
+                return known;
+        return {};
     }
 
     std::optional<double> temperature(std::string_view key) {
@@ -149,11 +165,21 @@ class Reader {
 
     /// The head that we give a column: any of a spectral axis is that of wavelengths.
     std::string nameOf(const CsvCell& cell) {
-        const auto head = spectralHead(cell.text);
-        if (!head || !head->axis)
-            return cell.text;
-        axis_ = *head->axis;
-        return std::string(wavelengthHeader);
+        if (const auto axis = spectralHead(cell.text); axis && axis->axis) {
+            axis_ = *axis->axis;
+            return std::string(wavelengthHeader);
+        }
+        ColumnHead head = columnHead(cell.text);
+        if (head.name == "k")
+            head.name = "extinction";
+        if (head == columnHead(extinctionInMetresHeader)) {
+            extinctionFactor_ = 1.0;
+            return std::string(extinctionHeader);
+        }
+        for (const std::string_view known : knownHeaders)
+            if (columnHead(known) == head)
+                return std::string(known);
+        return cell.text;
     }
 
     void readRow(const CsvRow& row) {
@@ -211,7 +237,7 @@ class Reader {
         result.name = name ? name->value : defaultName_;
         result.airTemperature_K = air_K_.value_or(result.airTemperature_K);
         result.groundTemperature_K = ground_K_.value_or(result.airTemperature_K);
-        result.extinction_per_m = *spectrum(extinctionHeader, 1e-3);
+        result.extinction_per_m = *spectrum(extinctionHeader, extinctionFactor_);
 
         // What the file does not give follows from its temperatures.
         const std::vector<double> axis = ascending(std::string(wavelengthHeader));
@@ -236,6 +262,7 @@ class Reader {
     std::string defaultName_;
     std::vector<Diagnostic> diagnostics_;
     SpectralAxis axis_ = SpectralAxis::wavelength;
+    double extinctionFactor_ = 1e-3;                     ///< of a value in the file, m-1
     std::vector<std::string> names_;                     ///< of the columns, as we call them
     std::map<std::string, std::vector<double>> columns_; ///< the axis in um
     std::optional<double> air_K_;

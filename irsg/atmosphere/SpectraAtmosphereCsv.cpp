@@ -10,6 +10,7 @@
 #include "irsg/atmosphere/SpectraAtmosphere.h"
 #include "irsg/core/BoundedValues.h"
 #include "irsg/core/ColumnText.h"
+#include "irsg/core/ColumnWords.h"
 #include "irsg/core/CsvTable.h"
 #include "irsg/core/FileReading.h"
 #include "irsg/core/Quantity.h"
@@ -80,7 +81,11 @@ class SpectraReader {
         }
         const CsvRow& header = table_.rows().front();
         for (CsvCell cell : header.cells) {
-            cell.text = titleOf(cell.text);
+            const auto axis = spectralHead(cell.text);
+            wavelengths_ = axis && axis->axis && axis->axis != SpectralAxis::wavenumber
+                               ? *axis->axis
+                               : wavelengths_;
+            titles_.push_back(cell.text = titleOf(cell.text));
             const bool isKnown = cell.text == columnHeader(Quantity::wavenumber) ||
                                  cell.text == columnHeader(Quantity::wavelength) ||
                                  lastMetres(cell.text) ||
@@ -99,30 +104,31 @@ class SpectraReader {
                                   "a column '" + columnHeader(Quantity::wavelength) + "'"));
         }
         for (std::size_t i = 1; i < table_.rows().size(); ++i)
-            readRow(table_.rows()[i], header);
+            readRow(table_.rows()[i]);
         if (diagnostics_.empty())
             checkAxis();
     }
 
-    /// The title that we give a column: any of a spectral axis in um or cm-1 is one of ours.
+    /// The title that we give a column: any of a spectral axis of wavelengths is that in um.
     static std::string titleOf(const std::string& head) {
-        const auto axis = spectralHead(head);
-        if (axis && axis->axis == SpectralAxis::wavelength)
-            return columnHeader(Quantity::wavelength);
-        if (axis && axis->axis == SpectralAxis::wavenumber)
-            return columnHeader(Quantity::wavenumber);
+        if (const auto axis = spectralHead(head); axis && axis->axis)
+            return columnHeader(axis->axis == SpectralAxis::wavenumber ? Quantity::wavenumber
+                                                                       : Quantity::wavelength);
+        for (const auto& [property, quantity] : columnsOfProperties)
+            if (columnHead(head) == columnHead(columnHeader(quantity)))
+                return columnHeader(quantity);
         return head;
     }
 
-    void readRow(const CsvRow& row, const CsvRow& header) {
-        if (row.cells.size() != header.cells.size()) {
+    void readRow(const CsvRow& row) {
+        if (row.cells.size() != titles_.size()) {
             diagnostics_.push_back(
                 table_.diagnostic(row.line, std::to_string(row.cells.size()) + " cells",
-                                  std::to_string(header.cells.size()) + " cells as in the header"));
+                                  std::to_string(titles_.size()) + " cells as in the header"));
             return;
         }
         for (std::size_t k = 0; k < row.cells.size(); ++k) {
-            const std::string title = titleOf(header.cells[k].text);
+            const std::string& title = titles_[k];
             const bool isAxis = title == columnHeader(Quantity::wavelength) ||
                                 title == columnHeader(Quantity::wavenumber);
             const bool isShare =
@@ -136,7 +142,9 @@ class SpectraReader {
             const auto taken = value && isShare ? shares_.take(*value, place) : value;
             if (value && (!taken || *taken < 0.0 || (isAxis && *taken == 0.0)))
                 diagnostics_.push_back(table_.diagnostic(row.cells[k], expected));
-            columns_[title].push_back(taken.value_or(0.0));
+            const bool isWavelength = title == columnHeader(Quantity::wavelength);
+            columns_[title].push_back(isWavelength && taken ? wavelengthOn_um(wavelengths_, *taken)
+                                                            : taken.value_or(0.0));
         }
     }
 
@@ -221,6 +229,8 @@ class SpectraReader {
     CsvTable table_;
     std::string name_;
     std::vector<Diagnostic> diagnostics_;
+    std::vector<std::string> titles_; ///< of the columns, as we call them
+    SpectralAxis wavelengths_ = SpectralAxis::wavelength;
     std::map<std::string, std::vector<double>> columns_;
     bool isDescending_ = false;
     BoundedValues shares_{0.0, 1.0};

@@ -106,9 +106,61 @@ LineSigns signsOf(std::string_view line) {
     return signs;
 }
 
+/// The length of what may stand between groups of three digits, at the beginning of a text; 0 where
+/// nothing does. A blank, one that does not break, an apostrophe, or `other`.
+std::size_t groupSign(std::string_view text, char other) {
+    if (text.empty())
+        return 0;
+    if (text[0] == ' ' || text[0] == '\'' || text[0] == other)
+        return 1;
+    for (const std::string_view sign : {"\u00a0", "\u2009", "\u202f", "\u2019"})
+        if (text.starts_with(sign))
+            return sign.size();
+    return 0;
+}
+
+/// The text of a number without what stands between its groups of three digits; no value where it
+/// has none, or digits in other groups. The sign that is not the decimal one groups digits only
+/// before a decimal sign. `hasBlanks`: blanks did.
+std::optional<std::string> withoutGroups(std::string_view text, char decimal, bool& hasBlanks) {
+    text = trimmed(text);
+    const std::size_t begin = std::min(text.find_first_of("0123456789"), text.size());
+    const char other = text.find(decimal) == text.npos ? '\0' : decimal == ',' ? '.' : ',';
+    std::string plain(text.substr(0, begin));
+    std::string_view sign;
+    std::size_t digits = 0, groups = 0;
+    for (text.remove_prefix(begin); !text.empty();) {
+        if (isDigit(text[0])) {
+            plain += text[0];
+            text.remove_prefix(1);
+            ++digits;
+            continue;
+        }
+        const std::size_t length = groupSign(text, other);
+        const bool isSame = groups == 0 || text.substr(0, length) == sign;
+        if (length == 0 || !isSame || digits == 0 || digits > 3 || (groups > 0 && digits != 3))
+            break;
+        sign = text.substr(0, length);
+        hasBlanks = hasBlanks || sign == " ";
+        text.remove_prefix(length);
+        digits = 0;
+        ++groups;
+    }
+    if (groups == 0 || digits != 3)
+        return std::nullopt;
+    return plain.append(text);
+}
+
+/// Whether blanks within a cell cannot separate it from others.
+bool mayHoldBlanks(const ColumnCell& cell, const ColumnDialect& dialect) {
+    return cell.isQuoted || (dialect.separator != ',' && dialect.separator != ' ');
+}
+
 /// How well a dialect reads a text.
 struct Score {
     std::size_t numberRows = 0;
+    int groupedLine = 0;      ///< of the first number with blanks between its digits; 0: none
+    std::string_view grouped; ///< that number
     std::map<std::size_t, std::size_t> widths; ///< how many of these rows have how many cells
 
     std::size_t evenRows() const {
@@ -136,7 +188,7 @@ void forEachRow(std::string_view text, Call&& call) {
 Score scoreOf(std::string_view text, const ColumnDialect& dialect) {
     Score score;
     std::vector<ColumnCell> cells;
-    forEachRow(text, [&](std::string_view line, int) {
+    forEachRow(text, [&](std::string_view line, int number) {
         if (!splitColumns(line, dialect.separator, cells) || !isNumberRow(cells, dialect))
             return;
         while (!cells.empty() && cells.back().text.empty())
@@ -146,6 +198,11 @@ Score scoreOf(std::string_view text, const ColumnDialect& dialect) {
             return;
         ++score.numberRows;
         ++score.widths[cells.size()];
+        for (const ColumnCell& cell : cells)
+            if (score.groupedLine == 0 && !cell.isQuoted && cell.text.find(' ') != cell.text.npos) {
+                score.groupedLine = number;
+                score.grouped = cell.text;
+            }
     });
     return score;
 }
@@ -365,15 +422,25 @@ std::optional<std::string> plainNumber(std::string_view cell, char decimal) {
     return plain;
 }
 
-bool isNumberCell(const ColumnCell& cell, const ColumnDialect& dialect) {
+std::optional<std::string> cellNumber(const ColumnCell& cell, const ColumnDialect& dialect) {
     if (!cell.rest.empty())
-        return false;
-    if (plainNumber(cell.text, dialect.decimal))
-        return true;
+        return std::nullopt;
+    if (auto plain = plainNumber(cell.text, dialect.decimal))
+        return plain;
     // Between commas a number with a decimal comma is in quotes, others may have none.
-    return dialect.separator == ',' && dialect.decimal == ',' &&
-           cell.text.find_first_of(".,") == std::string_view::npos &&
-           plainNumber(cell.text, '.').has_value();
+    if (dialect.separator == ',' && dialect.decimal == ',' &&
+        cell.text.find_first_of(".,") == std::string_view::npos)
+        if (auto plain = plainNumber(cell.text, '.'))
+            return plain;
+    bool hasBlanks = false;
+    const auto grouped = withoutGroups(cell.text, dialect.decimal, hasBlanks);
+    if (!grouped || (hasBlanks && !mayHoldBlanks(cell, dialect)))
+        return std::nullopt;
+    return plainNumber(*grouped, dialect.decimal);
+}
+
+bool isNumberCell(const ColumnCell& cell, const ColumnDialect& dialect) {
+    return cellNumber(cell, dialect).has_value();
 }
 
 bool isNumberRow(const std::vector<ColumnCell>& cells, const ColumnDialect& dialect) {
@@ -429,13 +496,19 @@ ColumnDialect columnDialectOf(std::string_view text, const std::string& file) {
     ColumnDialect best = candidates.front();
     if (candidates.size() > 1) {
         Score highest = scoreOf(text, best);
+        Score ofBlanks;
         for (std::size_t i = 1; i < candidates.size(); ++i) {
             Score score = scoreOf(text, candidates[i]);
+            if (candidates[i].separator == ' ' && score.isAbove(ofBlanks))
+                ofBlanks = score;
             if (score.isAbove(highest)) {
                 highest = std::move(score);
                 best = candidates[i];
             }
         }
+        if (highest.groupedLine > 0 && !highest.isAbove(ofBlanks))
+            refuseTwoWays(file, highest.groupedLine, highest.grouped,
+                          "numbers without blanks in them, or semicolons between columns");
     }
     if (best == ColumnDialect{',', ','})
         refuseThousands(text, file);

@@ -7,6 +7,9 @@
 
 namespace irsg {
 
+/// What readers of columns say of a text in Latin-1.
+inline constexpr const char* latin1Words = "bytes that are not UTF-8 are taken as Latin-1";
+
 /// How a text writes columns of numbers.
 struct ColumnDialect {
     char separator = ','; ///< ',', ';', '|' or a tab; ' ' stands for blanks and tabs in any number
@@ -45,6 +48,11 @@ std::string textOf(const ColumnCell& cell);
 /// exponent with D, or without a letter where Fortran leaves it out (`1.2-103`), one with e. No
 /// value where the cell holds no number in this dialect. NaN and infinity in letters are kept.
 std::optional<std::string> plainNumber(std::string_view cell, char decimal);
+
+/// The same for a cell of a table, whose digits may stand in groups of three: with blanks that do
+/// not break or apostrophes between them, with blanks in quotes or where semicolons, tabs or bars
+/// separate cells, or with the other sign before a decimal sign (`1.234,5`; `1.234` alone is not).
+std::optional<std::string> cellNumber(const ColumnCell& cell, const ColumnDialect& dialect);
 
 /// Whether a cell holds a number, NaN or infinity.
 bool isNumberCell(const ColumnCell& cell, const ColumnDialect& dialect);

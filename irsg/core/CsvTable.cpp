@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "irsg/core/ColumnWords.h"
 #include "irsg/core/Diagnostics.h"
 #include "irsg/core/FileReading.h"
 #include "irsg/core/Remarks.h"
@@ -66,7 +67,7 @@ std::optional<CsvRow> readRow(std::string_view line, int number, const ColumnDia
         std::string text = textOf(cell);
         const auto column = static_cast<int>(row.cells.size()) + 1;
         if (!parseNumber(text)) {
-            if (auto plain = plainNumber(text, dialect.decimal))
+            if (auto plain = cellNumber(cell, dialect))
                 text = *std::move(plain);
         } else if (dialect.decimal == ',' && text.find('.') != std::string::npos) {
             pointed.push_back({text, number, column});
@@ -84,17 +85,13 @@ bool holdsNumber(const CsvCell& cell) {
 /// The unit that a cell of a row of units holds, "" where it is dimensionless; no value for a name.
 std::optional<std::string> unitIn(const CsvCell& cell) {
     std::string_view text = cell.text;
-    if (text.empty() || text == "-" || text == "--")
+    if (text.empty() || columnUnit(text) == "")
         return "";
     const bool isSquare = text.starts_with('[') && text.ends_with(']');
     const bool isRound = text.starts_with('(') && text.ends_with(')');
     if (isSquare || isRound)
         return std::string(trimmed(text.substr(1, text.size() - 2)));
-    constexpr std::string_view units[] = {"um",    "\u00b5m", "\u03bcm", "nm", "cm-1",
-                                          "cm^-1", "m",       "km",      "s",  "deg",
-                                          "K",     "C",       "hPa",     "%",  "ppmv"};
-    return std::ranges::find(units, text) != std::end(units) ? std::optional(std::string(text))
-                                                             : std::nullopt;
+    return columnUnit(text) ? std::optional(std::string(text)) : std::nullopt;
 }
 
 /// Whether a row holds the units of the names above it, which get them in brackets.
@@ -146,8 +143,9 @@ CsvTable CsvTable::read(const std::filesystem::path& file, CsvHead head) {
 CsvTable CsvTable::parse(std::string_view bytes, std::string name, CsvHead head) {
     CsvTable table;
     table.file_ = std::move(name);
-    const std::string decoded = decodedUtf16(bytes);
-    std::string_view text = decoded.empty() ? withoutByteOrderMark(bytes) : decoded;
+    std::string decoded;
+    std::string_view text = utf8Of(bytes, decoded);
+    table.isLatin1_ = !decoded.empty() && !isUtf16(bytes);
     if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos)
         throw InputError({table.file_, "byte " + std::to_string(nul), "a NUL byte", "plain text"});
     table.dialect_ = columnDialectOf(text, table.file_);
@@ -251,6 +249,8 @@ void CsvTable::trimRows() {
 void CsvTable::remark() const {
     if (!dialect_.isPlain())
         remarkOn(file_, dialect_.words());
+    if (isLatin1_)
+        remarkOn(file_, latin1Words);
     if (headLines_.empty())
         return;
     const int last = headLines_.back().line;
@@ -262,6 +262,10 @@ void CsvTable::remark() const {
 const CsvComment* CsvTable::comment(std::string_view key) const {
     for (const CsvComment& comment : comments_)
         if (comment.key == key)
+            return &comment;
+    const ColumnHead head = columnHead(key);
+    for (const CsvComment& comment : comments_)
+        if (!comment.key.empty() && columnHead(comment.key) == head)
             return &comment;
     return nullptr;
 }

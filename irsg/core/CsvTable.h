@@ -41,13 +41,14 @@ enum class CsvHead {
 /// A file of columns as text that knows its places, so that whoever reads numbers out of it
 /// can say file, line and column of each that is wrong.
 ///
-/// Accepted: UTF-8 with or without byte order mark, UTF-16 with one; lines that end in LF, CRLF or
-/// CR; columns between commas, semicolons, tabs or blanks and decimal points or commas, whichever
-/// the whole text shows (columnDialectOf); numbers with exponents of D; cells in double quotes (a
-/// quote inside is doubled) on one line; blank lines and lines of nothing but separators, which are
-/// skipped; separators behind the last cell of every row, as spreadsheets add them, behind
-/// comments too. Numbers stand in the cells as parseNumber takes them. Rows may differ in length:
-/// the reader of the table decides whether that is wrong.
+/// Accepted: UTF-8 with or without byte order mark, UTF-16 with one, else Latin-1; lines that end
+/// in LF, CRLF or CR; columns between commas, semicolons, tabs or blanks and decimal points or
+/// commas, whichever the whole text shows (columnDialectOf); numbers with exponents of D or digits
+/// in groups of three (cellNumber); cells in double quotes (a quote inside is doubled) on one line;
+/// blank lines and lines of nothing but separators, which are skipped; separators behind the last
+/// cell of every row, as spreadsheets add them, behind comments too. Numbers stand in the cells as
+/// parseNumber takes them. Rows may differ in length: the reader of the table decides whether that
+/// is wrong.
 ///
 /// The row of names is the last row without a number above the first row of numbers that has as
 /// many cells; where none has, the row above the numbers.
@@ -59,7 +60,8 @@ class CsvTable {
     static CsvTable read(const std::filesystem::path& file, CsvHead head = CsvHead::names);
     /// The same from memory, without remarks; `name` stands for the file in diagnostics.
     static CsvTable parse(std::string_view text, std::string name, CsvHead head = CsvHead::names);
-    /// The remarks that read() makes: another separator or decimal sign, head lines left out.
+    /// The remarks that read() makes: another separator or decimal sign, Latin-1, head lines left
+    /// out.
     void remark() const;
 
     const std::string& file() const { return file_; }
@@ -68,7 +70,8 @@ class CsvTable {
     const ColumnDialect& dialect() const { return dialect_; }
     /// Lines that were left out above the row of names.
     const std::vector<CsvRow>& headLines() const { return headLines_; }
-    /// The first comment of that key, or null.
+    /// The first comment of that key, else the first whose key means the same (columnHead), or
+    /// null.
     const CsvComment* comment(std::string_view key) const;
 
     /// "FILE: line 7, column 2: found VALUE, expected EXPECTED".
@@ -93,6 +96,7 @@ class CsvTable {
 
     std::string file_;
     ColumnDialect dialect_;
+    bool isLatin1_ = false;
     std::vector<CsvRow> rows_, headLines_;
     std::vector<CsvComment> comments_;
 };

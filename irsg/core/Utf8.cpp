@@ -105,10 +105,20 @@ std::string_view withoutByteOrderMark(std::string_view text) {
     return text;
 }
 
+bool isUtf16(std::string_view bytes) {
+    return bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF");
+}
+
+std::string_view utf8Of(std::string_view bytes, std::string& storage) {
+    const std::string_view text = withoutByteOrderMark(bytes);
+    storage = isUtf16(bytes) ? decodedUtf16(bytes) : isUtf8(text) ? "" : utf8Text(text);
+    return storage.empty() ? text : std::string_view(storage);
+}
+
 std::string decodedUtf16(std::string_view bytes) {
-    const bool isLittle = bytes.starts_with("\xFF\xFE"), isBig = bytes.starts_with("\xFE\xFF");
+    const bool isLittle = bytes.starts_with("\xFF\xFE");
     std::string text;
-    if (!isLittle && !isBig)
+    if (!isUtf16(bytes))
         return text;
     const auto unit = [&](std::size_t i) {
         const auto first = static_cast<unsigned char>(bytes[i]);

@@ -21,6 +21,14 @@ std::string asciiText(std::string_view text);
 /// The text without the byte order mark of UTF-8.
 std::string_view withoutByteOrderMark(std::string_view text);
 
+/// Whether bytes begin with a byte order mark of UTF-16.
+bool isUtf16(std::string_view bytes);
+
+/// The text of a file in UTF-8: without a byte order mark, from UTF-16 with one, from Latin-1 where
+/// it is neither. `storage` holds it where it had to be made, and is empty otherwise; the text
+/// lives as long as both.
+std::string_view utf8Of(std::string_view bytes, std::string& storage);
+
 /// Bytes that begin with a byte order mark of UTF-16 as UTF-8, without it; halves of characters are
 /// U+FFFD. Empty for any other bytes.
 std::string decodedUtf16(std::string_view bytes);

@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "irsg/core/ColumnWords.h"
 #include "irsg/core/CsvTable.h"
 #include "irsg/core/Errors.h"
 #include "irsg/core/Interpolation.h"
@@ -56,7 +57,9 @@ std::vector<const PlumeColumn*> readPlumeHead(const CsvTable& csv,
     for (const PlumeColumn& column : plumeColumns())
         expected += (expected.empty() ? "" : ", ") + plumeHeadOf(column);
     for (const CsvCell& cell : csv.rows().front().cells) {
-        const auto column = std::ranges::find(plumeColumns(), cell.text, plumeHeadOf);
+        const auto column =
+            std::ranges::find(plumeColumns(), columnHead(cell.text),
+                              [](const PlumeColumn& one) { return columnHead(plumeHeadOf(one)); });
         const bool isKnown = column != plumeColumns().end();
         if (!isKnown)
             diagnostics.push_back(csv.diagnostic(cell, "one of " + expected));

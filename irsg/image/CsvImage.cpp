@@ -265,10 +265,7 @@ class CsvImageParser {
             if (end == last && error == std::errc())
                 return value;
         }
-        const std::optional<std::string> plain =
-            isNumberCell(cell, dialect_)
-                ? plainNumber(text, plainNumber(text, dialect_.decimal) ? dialect_.decimal : '.')
-                : std::nullopt;
+        const std::optional<std::string> plain = cellNumber(cell, dialect_);
         std::string_view digits = plain ? std::string_view(*plain) : std::string_view();
         if (digits.starts_with('+'))
             digits.remove_prefix(1);
@@ -353,8 +350,8 @@ void writeCsvImage(const RadianceImage& image, const std::filesystem::path& file
 
 RadianceImage readCsvImage(const std::filesystem::path& file) {
     const std::string bytes = readFile(file);
-    const std::string decoded = decodedUtf16(bytes);
-    const std::string_view text = decoded.empty() ? withoutByteOrderMark(bytes) : decoded;
+    std::string decoded;
+    const std::string_view text = utf8Of(bytes, decoded);
     if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos)
         throw InputError({file.string(), "byte " + std::to_string(nul), "a NUL byte", "text"});
 
@@ -365,6 +362,8 @@ RadianceImage readCsvImage(const std::filesystem::path& file) {
     RadianceImage image = parser.image();
     if (!rows.dialect.isPlain())
         remarkOn(file.string(), rows.dialect.words());
+    if (!decoded.empty() && !isUtf16(bytes))
+        remarkOn(file.string(), latin1Words);
     if (areHeadLines(rows))
         remarkOn(file.string(), "lines " + std::to_string(rows.headLine) + " to " +
                                     std::to_string(rows.lastHeadLine) +
@@ -373,8 +372,8 @@ RadianceImage readCsvImage(const std::filesystem::path& file) {
 }
 
 bool beginsAsCsvImage(std::string_view bytes) {
-    const std::string decoded = decodedUtf16(bytes);
-    const std::string_view text = decoded.empty() ? withoutByteOrderMark(bytes) : decoded;
+    std::string decoded;
+    const std::string_view text = utf8Of(bytes, decoded);
     if (text.find('\0') != std::string_view::npos)
         return false;
     std::set<std::string, std::less<>> keys;

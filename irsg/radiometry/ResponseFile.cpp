@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "irsg/core/BoundedValues.h"
+#include "irsg/core/ColumnWords.h"
 #include "irsg/core/CsvTable.h"
 #include "irsg/core/FileReading.h"
 #include "irsg/core/Remarks.h"
@@ -82,13 +83,6 @@ void takeNegatives(const CsvTable& table, ResponseNodes& nodes,
     }
     if (diagnostics.empty())
         bounds.remark(table.file());
-}
-
-/// Of a head of the second column.
-bool isPercent(const CsvCell& cell) {
-    return cell.text.find('%') != std::string::npos ||
-           cell.text.find("percent") != std::string::npos ||
-           cell.text.find("Percent") != std::string::npos;
 }
 
 /// Nodes over ascending wavenumbers as nodes over ascending wavelengths.
@@ -221,7 +215,8 @@ std::optional<SpectralAxis> axisOf(const CsvTable& table, bool hasHead,
 
 CsvTable tableOf(const std::filesystem::path& file) {
     const std::string bytes = readFile(file);
-    const std::string_view text = withoutByteOrderMark(bytes);
+    std::string decoded;
+    const std::string_view text = utf8Of(bytes, decoded);
     if (ModtranFilter::begins(text)) {
         ModtranFilter filter(text);
         return CsvTable::parse(filter.firstChannel(file.string()), file.string());
@@ -260,7 +255,7 @@ Band Band::fromCsv(const std::filesystem::path& file) {
     }
     if (!diagnostics.empty())
         throw InputError(std::move(diagnostics));
-    if (hasHead && isPercent(header.cells[1])) {
+    if (hasHead && columnHead(header.cells[1].text).unit == "%") {
         for (double& value : nodes.values)
             value /= 100.0;
         remarkOn(table.file(), "the response is in percent");

@@ -3,48 +3,47 @@
 #include <algorithm>
 #include <utility>
 
+#include "irsg/core/ColumnWords.h"
+#include "irsg/core/Wording.h"
 #include "irsg/radiometry/Units.h"
 
 namespace irsg {
 
 namespace {
 
-constexpr std::pair<std::string_view, std::string_view> spellings[] = {
-    {"\u00b5", "u"}, {"\u03bc", "u"}, {"\xb5", "u"}, // the last in Latin-1
-    {"\u207b", "-"}, {"\u2212", "-"}, {"\u00b9", "1"}, {"\xb9", "1"}, {"\u03bb", "lambda"}};
-
-/// Lower case, ASCII, each other character as a blank but for what units are written with.
+/// Small letters, digits and -; each other character as a blank.
 std::string plainWords(std::string_view head) {
-    std::string text;
-    while (!head.empty()) {
-        const auto found = std::ranges::find_if(
-            spellings, [&](const auto& pair) { return head.starts_with(pair.first); });
-        if (found != std::end(spellings)) {
-            text += found->second;
-            head.remove_prefix(found->first.size());
-            continue;
-        }
-        const char c = head.front();
-        const bool isSmall = c >= 'a' && c <= 'z', isDigit = c >= '0' && c <= '9';
-        if (c >= 'A' && c <= 'Z')
-            text += static_cast<char>(c - 'A' + 'a');
-        else if (isSmall || isDigit || c == '-')
-            text += c;
-        else if (c != '^')
-            text += ' ';
-        head.remove_prefix(1);
+    std::string text = " ";
+    for (const char c : lowerCase(plainHead(head))) {
+        const bool isKept = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
+        if (c != '^')
+            text += isKept ? c : ' ';
     }
-    return text;
+    return text + " ";
+}
+
+/// Replaces a text of several words, blanks about it, by one word, wherever it stands.
+void replaceWords(std::string& text, const std::string& words, std::string_view by) {
+    for (std::size_t at = text.find(" " + words + " "); at != std::string::npos;
+         at = text.find(" " + words + " "))
+        text.replace(at + 1, words.size(), by);
+}
+
+bool isAxisName(std::string_view name) {
+    return name == "wavelength" || name == "wavenumber";
 }
 
 std::vector<std::string> wordsOf(std::string_view head) {
-    std::vector<std::string> words;
     std::string text = plainWords(head);
-    // 1/cm has become two words.
-    if (const std::size_t at = text.find("1 cm"); at != std::string::npos)
-        text.replace(at, 4, "cm-1");
+    replaceWords(text, "1 cm", "cm-1"); // 1/cm has become two words
+    for (std::size_t at = text.find("  "); at != std::string::npos; at = text.find("  "))
+        text.erase(at, 1);
+    for (const ColumnWord& word : columnWords())
+        if (isAxisName(word.name) && word.word.find(' ') != std::string_view::npos)
+            replaceWords(text, std::string(word.word), word.name);
+    std::vector<std::string> words;
     std::string word;
-    for (const char c : text + " ")
+    for (const char c : text)
         if (c != ' ')
             word += c;
         else if (!word.empty())
@@ -56,15 +55,23 @@ bool isAmong(const std::string& word, std::initializer_list<std::string_view> wo
     return std::ranges::find(words, word) != words.end();
 }
 
+/// Capitals do not count here: no unit of another quantity can stand beside a wavelength.
 std::optional<SpectralAxis> unitNamed(const std::string& word) {
-    if (isAmong(word, {"um", "micron", "microns", "micrometer", "micrometers", "micrometre",
-                       "micrometres", "mum"}))
-        return SpectralAxis::wavelength;
-    if (isAmong(word, {"nm", "nanometer", "nanometers", "nanometre", "nanometres"}))
-        return SpectralAxis::nanometres;
-    if (isAmong(word, {"cm-1", "cm1", "kayser", "kaysers"}))
-        return SpectralAxis::wavenumber;
+    constexpr SpectralAxis all[] = {SpectralAxis::wavelength, SpectralAxis::nanometres,
+                                    SpectralAxis::angstroms, SpectralAxis::wavenumber};
+    for (const ColumnUnit& unit : columnUnits())
+        for (const SpectralAxis axis : all)
+            if (unit.spelling == word && unit.unit == axisUnit(axis))
+                return axis;
     return std::nullopt;
+}
+
+/// The name of an axis that a word means; "" for other words.
+std::string_view axisNamed(const std::string& word) {
+    for (const ColumnWord& one : columnWords())
+        if (one.word == word && isAxisName(one.name))
+            return one.name;
+    return isAxisName(word) ? std::string_view(word) : std::string_view();
 }
 
 } // namespace
@@ -73,18 +80,19 @@ std::optional<SpectralHead> spectralHead(std::string_view head) {
     SpectralHead result;
     bool isWavelength = false, isWavenumber = false;
     for (const std::string& word : wordsOf(head)) {
+        const std::string_view name = axisNamed(word);
         if (const auto unit = unitNamed(word)) {
             if (result.axis)
                 return std::nullopt;
             result.axis = unit;
-        } else if (isAmong(word, {"wavelength", "wavelengths", "lambda", "wl", "wvl", "wave",
-                                  "length"})) {
+        } else if (name == "wavelength") {
             isWavelength = true;
-        } else if (isAmong(word, {"wavenumber", "wavenumbers", "nu", "number"})) {
+        } else if (name == "wavenumber") {
             isWavenumber = true;
-        } else if (word == "air") {
+        } else if (isAmong(word, {"air", "luft"})) {
             result.isInAir = true;
-        } else if (!isAmong(word, {"vac", "vacuum", "in"})) {
+        } else if (!isAmong(word, {"vac", "vacuum", "vakuum", "vide", "in", "im", "en", "dans",
+                                   "le", "l"})) {
             return std::nullopt;
         }
     }
@@ -100,7 +108,8 @@ std::optional<SpectralHead> spectralHead(std::string_view head) {
 
 const std::string& spectralHeads() {
     static const std::string all =
-        "'um', 'nm', 'cm-1', 'wavelength [um]', 'wavelength [nm]' or 'wavenumber [cm-1]'";
+        "'um', 'nm', 'angstrom', 'cm-1', 'wavelength [um]', 'wavelength [nm]', "
+        "'wavelength [angstrom]' or 'wavenumber [cm-1]'";
     return all;
 }
 
@@ -118,12 +127,14 @@ std::optional<SpectralAxis> axisOfValues(const std::vector<double>& values, bool
 double wavelengthOn_um(SpectralAxis axis, double value) {
     return axis == SpectralAxis::wavelength   ? value
            : axis == SpectralAxis::nanometres ? value / 1000.0
+           : axis == SpectralAxis::angstroms  ? value / 10000.0
                                               : wavelengthFromWavenumber_um(value);
 }
 
 const char* axisUnit(SpectralAxis axis) {
     return axis == SpectralAxis::wavelength   ? "um"
            : axis == SpectralAxis::nanometres ? "nm"
+           : axis == SpectralAxis::angstroms  ? "angstrom"
                                               : "cm-1";
 }
 

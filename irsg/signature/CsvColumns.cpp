@@ -2,8 +2,6 @@
 
 #include <set>
 
-#include "irsg/core/Utf8.h"
-
 namespace irsg {
 
 namespace {
@@ -44,11 +42,6 @@ CsvColumns readColumns(const CsvTable& table, std::size_t fewestNodes,
         } else if (parseNumber(name.text)) {
             diagnostics.push_back(
                 table.diagnostic(name, "the name of a component (is the row of names missing?)"));
-        } else if (!isUtf8(name.text)) {
-            diagnostics.push_back(
-                {table.file(),
-                 "line " + std::to_string(name.line) + ", column " + std::to_string(name.column),
-                 "bytes that are not UTF-8", "a name in UTF-8"});
         } else if (!seen.insert(name.text).second) {
             diagnostics.push_back(table.diagnostic(name, "each name once"));
         }

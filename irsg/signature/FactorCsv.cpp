@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "irsg/core/ColumnWords.h"
 #include "irsg/core/Errors.h"
 #include "irsg/signature/CsvColumns.h"
 #include "irsg/signature/SpectrumCsv.h"
@@ -20,6 +21,18 @@ void checkNames(const CsvTable& table, const CsvColumns& columns, const UserSpec
                                                              spectrum.name + "': " + known));
         }
     }
+}
+
+/// The first cell is empty or names the axis.
+void checkCorner(const CsvTable& table, const CsvCell& corner, FactorAxis axis,
+                 std::vector<Diagnostic>& diagnostics) {
+    const ColumnHead head = columnHead(corner.text);
+    const ColumnHead own = columnHead(axis == FactorAxis::time_s ? "time [s]" : "angle [deg]");
+    if (!corner.text.empty() &&
+        (head.name != own.name || !(head.unit.empty() || head.unit == own.unit)))
+        diagnostics.push_back(table.diagnostic(
+            corner, std::string("an empty first cell, or '") +
+                        (axis == FactorAxis::time_s ? "time [s]" : "angle [deg]") + "'"));
 }
 
 void checkNumbers(const CsvTable& table, const CsvColumns& columns, FactorAxis axis,
@@ -63,8 +76,7 @@ void readFactorCsv(const std::filesystem::path& file, FactorAxis axis, bool loop
             table.diagnostic("loop mode over angle", "loop mode over time alone"));
     }
     const CsvColumns columns = readColumns(table, loop ? 2 : 1, diagnostics);
-    if (!columns.corner.text.empty())
-        diagnostics.push_back(table.diagnostic(columns.corner, "an empty first cell"));
+    checkCorner(table, columns.corner, axis, diagnostics);
     checkNames(table, columns, spectrum, diagnostics);
     if (diagnostics.empty())
         checkNumbers(table, columns, axis, diagnostics);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "irsg/core/BoundedValues.h"
+#include "irsg/core/ColumnWords.h"
 #include "irsg/core/Errors.h"
 #include "irsg/core/FileReading.h"
 #include "irsg/core/FileReplacement.h"
@@ -75,33 +76,24 @@ std::string indexExpected() {
 }
 
 /// What a head of a column means: the name of a property or of another spectrum, and whether it is
-/// in percent. Capitals do not count; emittance, transmittance and reflectance are other words.
+/// in percent. Its own text where it means neither, or has a unit.
 struct ColumnName {
     std::string name;
     bool isPercent = false;
 };
 ColumnName columnName(const std::string& head) {
-    ColumnName result{head};
-    std::string word = lowerCase(head.substr(0, head.find_first_of("[(%")));
-    result.isPercent =
-        head.find('%') != std::string::npos || lowerCase(head).find("percent") != std::string::npos;
-    if (const std::size_t percent = word.find("percent"); percent != std::string::npos)
-        word.erase(percent);
-    word.erase(word.find_last_not_of(" _,/") + 1);
-    constexpr std::pair<std::string_view, const char*> others[] = {
-        {"emittance", "emissivity"},
-        {"transmittance", "transmissivity"},
-        {"transmission", "transmissivity"},
-        {"reflectance", "reflectivity"}};
-    for (const auto& [other, name] : others)
-        if (word == other)
-            word = name;
-    const bool isKnown =
-        std::ranges::find(properties, word) != properties.end() || opticalNamed(word) != nullptr;
-    if (isKnown && (head.find_first_of("[(") == std::string::npos || result.isPercent ||
-                    head.ends_with("[1]") || head.ends_with("[-]") || head.ends_with("(-)")))
-        result.name = word;
-    return result;
+    const ColumnHead meant = columnHead(head);
+    const auto means = [&](const std::string& name) { return columnHead(name).name == meant.name; };
+    const bool isPercent = meant.unit == "%";
+    if (!meant.unit.empty() && !isPercent)
+        return {head};
+    for (const char* const property : properties)
+        if (means(property))
+            return {property, isPercent};
+    for (const Optical& optical : opticals())
+        if (means(optical.name))
+            return {optical.name, isPercent};
+    return {head, isPercent};
 }
 
 /// The column of each property, or none.
@@ -189,7 +181,7 @@ void readIndexBlocks(const CsvTable& table, Material& material) {
             }
         }
         for (std::size_t i = 1; i < names.size(); ++i) {
-            const Optical* const optical = opticalNamed(names[i].text);
+            const Optical* const optical = opticalNamed(columnName(names[i].text).name);
             if (optical == nullptr || optical->isFraction)
                 diagnostics.push_back(table.diagnostic(names[i], indexExpected()));
             else if (columns[0].empty())
@@ -239,8 +231,8 @@ std::string sumText(const std::array<std::optional<double>, 3>& given) {
 
 void readMaterialCsv(const std::filesystem::path& file, Material& material) {
     const std::string bytes = readFile(file);
-    const std::string decoded = decodedUtf16(bytes);
-    const std::string_view text = decoded.empty() ? withoutByteOrderMark(bytes) : decoded;
+    std::string decoded;
+    const std::string_view text = utf8Of(bytes, decoded);
     if (const auto library = readSpectralLibrary(text, file.string())) {
         takeLibrarySpectrum(*library, file.string(), material);
         return;

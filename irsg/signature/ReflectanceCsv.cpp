@@ -3,6 +3,7 @@
 #include <array>
 
 #include "irsg/core/Collect.h"
+#include "irsg/core/ColumnWords.h"
 #include "irsg/core/CsvTable.h"
 #include "irsg/core/FileReading.h"
 #include "irsg/core/FileReplacement.h"
@@ -19,7 +20,7 @@ std::size_t anglesOf(const CsvTable& table, const CsvRow& names,
                      std::vector<Diagnostic>& diagnostics) {
     std::size_t found = 0;
     while (found < angles.size() && found < names.cells.size() &&
-           names.cells[found].text == angles[found])
+           columnHead(names.cells[found].text) == columnHead(angles[found]))
         ++found;
     if (found == 0)
         diagnostics.push_back(
@@ -37,7 +38,8 @@ std::size_t anglesOf(const CsvTable& table, const CsvRow& names,
 
 ReflectanceTable readReflectanceTable(const std::filesystem::path& file) {
     const std::string text = readFile(file);
-    const std::string zemax(withoutByteOrderMark(text));
+    std::string decoded;
+    const std::string zemax(utf8Of(text, decoded));
     if (isZemaxBsdf(zemax))
         return parseZemaxBsdf(zemax, file.string());
     const CsvTable table = CsvTable::parse(text, file.string());
@@ -82,10 +84,12 @@ ReflectanceTable readReflectanceTable(const std::filesystem::path& file) {
 bool isReflectanceTable(const std::filesystem::path& file) {
     try {
         const std::string text = readFile(file);
-        if (isZemaxBsdf(std::string(withoutByteOrderMark(text))))
+        std::string decoded;
+        if (isZemaxBsdf(std::string(utf8Of(text, decoded))))
             return true;
         const CsvTable table = CsvTable::parse(text, file.string());
-        return !table.rows().empty() && table.rows().front().cells.front().text == angles[0];
+        return !table.rows().empty() &&
+               columnHead(table.rows().front().cells.front().text) == columnHead(angles[0]);
     } catch (const InputError&) {
         return false;
     }

@@ -12,6 +12,8 @@
 #include "irsg/core/Wording.h"
 #include "irsg/radiometry/SpectralHead.h"
 #include "irsg/signature/JcampText.h"
+#include "irsg/signature/LibraryNodes.h"
+#include "irsg/signature/RefractiveIndexText.h"
 
 namespace irsg {
 
@@ -21,74 +23,8 @@ const char* const spectralLibraryNames =
 namespace {
 
 using Quantity = LibrarySpectrum::Quantity;
-using Column = LibrarySpectrum::Column;
 
 constexpr double deletedBelow = -1e30; // -1.23e34 marks what USGS took out
-
-std::string placeOf(int line) {
-    return "line " + std::to_string(line);
-}
-
-[[noreturn]] void refuse(const std::string& file, int line, const std::string& value,
-                         const std::string& expected) {
-    throw InputError({file, line > 0 ? placeOf(line) : "", value, expected});
-}
-
-/// A row of numbers between blanks or tabs, or commas; empty where the line holds anything else.
-std::vector<double> numbersOf(std::string_view line) {
-    std::vector<ColumnCell> cells;
-    std::vector<double> numbers;
-    const char separator = line.find(',') != std::string_view::npos ? ',' : ' ';
-    if (!splitColumns(trimmed(line), separator, cells))
-        return {};
-    for (const ColumnCell& cell : cells) {
-        const std::optional<std::string> plain = plainNumber(cell.text, '.');
-        const std::optional<double> number = plain ? parseNumber(*plain) : std::nullopt;
-        if (!number)
-            return {};
-        numbers.push_back(*number);
-    }
-    return numbers;
-}
-
-/// Nodes as a file lists them, on their way to a column.
-struct Nodes {
-    std::vector<double> positions, values;
-    std::vector<int> lines;
-
-    void add(double position, double value, int line) {
-        positions.push_back(position);
-        values.push_back(value);
-        lines.push_back(line);
-    }
-};
-
-Column columnOf(Nodes nodes, SpectralAxis axis, Quantity quantity, double factor,
-                const std::string& file) {
-    if (nodes.positions.size() < 2)
-        refuse(file, 0, std::to_string(nodes.positions.size()) + " rows of numbers",
-               "at least two rows of numbers");
-    for (std::size_t i = 0; i < nodes.positions.size(); ++i)
-        if (!(nodes.positions[i] > 0.0))
-            refuse(file, nodes.lines[i], numberText(nodes.positions[i]), "a positive axis value");
-    Column column;
-    column.quantity = quantity;
-    for (std::size_t i = 0; i < nodes.positions.size(); ++i) {
-        column.wavelengths_um.push_back(wavelengthOn_um(axis, nodes.positions[i]));
-        column.values.push_back(factor * nodes.values[i]);
-        column.lines.push_back(nodes.lines[i]);
-    }
-    if (column.wavelengths_um.back() < column.wavelengths_um.front()) {
-        std::ranges::reverse(column.wavelengths_um);
-        std::ranges::reverse(column.values);
-        std::ranges::reverse(column.lines);
-    }
-    for (std::size_t i = 1; i < column.wavelengths_um.size(); ++i)
-        if (!(column.wavelengths_um[i] > column.wavelengths_um[i - 1]))
-            refuse(file, column.lines[i], numberText(column.wavelengths_um[i]) + " um",
-                   "a strictly monotonic axis");
-    return column;
-}
 
 /// What a word for the values means, and whether it counts in percent.
 std::optional<std::pair<Quantity, double>> quantityOf(std::string_view words) {
@@ -107,14 +43,6 @@ std::optional<std::pair<Quantity, double>> quantityOf(std::string_view words) {
     return std::nullopt;
 }
 
-/// The first lines of a text, in small letters.
-std::string beginningOf(std::string_view text, int lines) {
-    std::string beginning;
-    for (int i = 0; i < lines && !text.empty(); ++i)
-        (beginning += lowerCase(std::string(takeLine(text)))) += '\n';
-    return beginning;
-}
-
 bool beginsAsEcostress(std::string_view text) {
     const std::string beginning = beginningOf(text, 40);
     return beginning.find("x units:") != std::string::npos &&
@@ -124,38 +52,39 @@ bool beginsAsEcostress(std::string_view text) {
 LibrarySpectrum readEcostress(std::string_view text, const std::string& file) {
     LibrarySpectrum result{.format = "ECOSTRESS", .title = "", .columns = {}};
     std::map<std::string, std::pair<std::string, int>> keys;
-    Nodes nodes;
+    LibraryNodes nodes;
     for (int line = 1; !text.empty(); ++line) {
         const std::string_view content = trimmed(takeLine(text));
         const std::size_t colon = content.find(':');
         if (content.empty())
             continue;
-        const std::vector<double> numbers = numbersOf(content);
+        const std::vector<double> numbers = numbersOfLine(content);
         if (numbers.size() == 2)
             nodes.add(numbers[0], numbers[1], line);
         else if (nodes.positions.empty() && colon != std::string_view::npos)
             keys[lowerCase(std::string(trimmed(content.substr(0, colon))))] = {
                 std::string(trimmed(content.substr(colon + 1))), line};
         else if (!nodes.positions.empty())
-            refuse(file, line, "'" + std::string(content.substr(0, 60)) + "'", "two numbers");
+            refuseLibrary(file, line, "'" + std::string(content.substr(0, 60)) + "'",
+                          "two numbers");
     }
     result.title = keys["name"].first;
     const auto& [xUnits, xLine] = keys["x units"];
     const auto& [yUnits, yLine] = keys["y units"];
     const auto head = spectralHead(xUnits);
     if (!head || !head->axis)
-        refuse(file, xLine, "'" + xUnits + "'", spectralHeads());
+        refuseLibrary(file, xLine, "'" + xUnits + "'", spectralHeads());
     const auto quantity = quantityOf(yUnits);
     if (!quantity)
-        refuse(file, yLine, "'" + yUnits + "'", "reflectance, emissivity or transmittance");
+        refuseLibrary(file, yLine, "'" + yUnits + "'", "reflectance, emissivity or transmittance");
     const std::string stated = keys["number of x values"].first;
     if (const auto count = parseNumber(stated);
         count && *count != static_cast<double>(nodes.positions.size()))
-        refuse(file, keys["number of x values"].second,
-               std::to_string(nodes.positions.size()) + " rows of numbers",
-               stated + ", as this line says");
+        refuseLibrary(file, keys["number of x values"].second,
+                      std::to_string(nodes.positions.size()) + " rows of numbers",
+                      stated + ", as this line says");
     result.columns.push_back(
-        columnOf(std::move(nodes), *head->axis, quantity->first, quantity->second, file));
+        libraryColumn(std::move(nodes), *head->axis, quantity->first, quantity->second, file));
     return result;
 }
 
@@ -168,14 +97,14 @@ bool beginsAsUsgs(std::string_view text) {
 
 LibrarySpectrum readUsgs(std::string_view text, const std::string& file) {
     LibrarySpectrum result{.format = "USGS", .title = "", .columns = {}};
-    Nodes nodes;
+    LibraryNodes nodes;
     std::string lastWords;
     std::size_t deleted = 0, single = 0;
     for (int line = 1; !text.empty(); ++line) {
         const std::string_view content = trimmed(takeLine(text));
         if (content.empty())
             continue;
-        const std::vector<double> numbers = numbersOf(content);
+        const std::vector<double> numbers = numbersOfLine(content);
         if (numbers.size() == 2 || numbers.size() == 3) {
             if (numbers[1] < deletedBelow)
                 ++deleted;
@@ -184,8 +113,8 @@ LibrarySpectrum readUsgs(std::string_view text, const std::string& file) {
         } else if (numbers.size() == 1) {
             ++single;
         } else if (!nodes.positions.empty()) {
-            refuse(file, line, "'" + std::string(content.substr(0, 60)) + "'",
-                   "wavelength, reflectance and its deviation");
+            refuseLibrary(file, line, "'" + std::string(content.substr(0, 60)) + "'",
+                          "wavelength, reflectance and its deviation");
         } else {
             // The title is the first but one of the last words, where there are two.
             result.title = lastWords.empty() ? std::string(content) : lastWords;
@@ -193,16 +122,16 @@ LibrarySpectrum readUsgs(std::string_view text, const std::string& file) {
         }
     }
     if (single > nodes.positions.size())
-        refuse(file, 0, "one column of values, whose wavelengths are in another file",
-               "columns of wavelength and reflectance side by side");
+        refuseLibrary(file, 0, "one column of values, whose wavelengths are in another file",
+                      "columns of wavelength and reflectance side by side");
     if (deleted > 0)
         remarkOn(file, std::to_string(deleted) + " deleted values (-1.23e34) are left out");
     if (const auto axis = axisOfValues(nodes.positions, true)) {
         result.columns.push_back(
-            columnOf(std::move(nodes), *axis, Quantity::reflectivity, 1.0, file));
+            libraryColumn(std::move(nodes), *axis, Quantity::reflectivity, 1.0, file));
         return result;
     }
-    refuse(file, 0, "an axis of no wavelengths", "wavelengths in um or nm");
+    refuseLibrary(file, 0, "an axis of no wavelengths", "wavelengths in um or nm");
 }
 
 bool beginsAsJcamp(std::string_view text) {
@@ -218,65 +147,15 @@ LibrarySpectrum readJcamp(std::string_view text, const std::string& file) {
     const JcampText jcamp = readJcampText(text, file);
     const auto axis = spectralHead(jcamp.xUnits);
     if (!axis || !axis->axis)
-        refuse(file, jcamp.xUnitsLine, "'" + jcamp.xUnits + "'", "1/CM, MICROMETERS or NANOMETERS");
+        refuseLibrary(file, jcamp.xUnitsLine, "'" + jcamp.xUnits + "'",
+                      "1/CM, MICROMETERS or NANOMETERS");
     const auto quantity = quantityOf(jcamp.yUnits);
     if (!quantity)
-        refuse(file, jcamp.yUnitsLine, "'" + jcamp.yUnits + "'",
-               "REFLECTANCE or TRANSMITTANCE, which need no thickness");
+        refuseLibrary(file, jcamp.yUnitsLine, "'" + jcamp.yUnits + "'",
+                      "REFLECTANCE or TRANSMITTANCE, which need no thickness");
     LibrarySpectrum result{.format = "JCAMP-DX", .title = jcamp.title, .columns = {}};
-    result.columns.push_back(columnOf({jcamp.x, jcamp.y, jcamp.lines}, *axis->axis, quantity->first,
-                                      quantity->second, file));
-    return result;
-}
-
-bool beginsAsRefractiveIndex(std::string_view text) {
-    const std::string beginning = beginningOf(text, 200);
-    return beginning.find("data:") != std::string::npos &&
-           (beginning.find("type: tabulated") != std::string::npos ||
-            beginning.find("type: formula") != std::string::npos ||
-            beginning.find("type: \"tabulated") != std::string::npos);
-}
-
-LibrarySpectrum readRefractiveIndex(std::string_view text, const std::string& file) {
-    LibrarySpectrum result{.format = "refractiveindex.info", .title = "", .columns = {}};
-    std::vector<Quantity> quantities;
-    Nodes first, second;
-    const auto finish = [&] {
-        for (std::size_t i = 0; i < quantities.size(); ++i)
-            result.columns.push_back(columnOf(i == 0 ? first : second, SpectralAxis::wavelength,
-                                              quantities[i], 1.0, file));
-        quantities.clear();
-        first = second = {};
-    };
-    for (int line = 1; !text.empty(); ++line) {
-        const std::string_view content = trimmed(takeLine(text));
-        const std::size_t type = content.find("type:");
-        if (type != std::string_view::npos) {
-            finish();
-            std::string kind(trimmed(content.substr(type + 5)));
-            std::erase_if(kind, [](char c) { return c == '"' || c == '\''; });
-            if (kind == "tabulated nk")
-                quantities = {Quantity::refractiveIndex, Quantity::extinction};
-            else if (kind == "tabulated n")
-                quantities = {Quantity::refractiveIndex};
-            else if (kind == "tabulated k")
-                quantities = {Quantity::extinction};
-            else
-                refuse(file, line, "'" + kind + "'",
-                       "tabulated n, tabulated k or tabulated nk: formulas are not read");
-            continue;
-        }
-        const std::vector<double> numbers = numbersOf(content);
-        if (quantities.empty() || numbers.empty())
-            continue;
-        if (numbers.size() != quantities.size() + 1)
-            refuse(file, line, std::to_string(numbers.size()) + " numbers",
-                   std::to_string(quantities.size() + 1) + ", as its type says");
-        first.add(numbers[0], numbers[1], line);
-        if (numbers.size() > 2)
-            second.add(numbers[0], numbers[2], line);
-    }
-    finish();
+    result.columns.push_back(libraryColumn({jcamp.x, jcamp.y, jcamp.lines}, *axis->axis,
+                                           quantity->first, quantity->second, file));
     return result;
 }
 
@@ -287,7 +166,7 @@ bool beginsAsEms(std::string_view text) {
 
 LibrarySpectrum readEms(std::string_view text, const std::string& file) {
     LibrarySpectrum result{.format = "DIRSIG .ems", .title = "", .columns = {}};
-    Nodes nodes;
+    LibraryNodes nodes;
     std::size_t curves = 0, angles = 0;
     bool isInside = false, isTilted = false;
     for (int line = 1; !text.empty(); ++line) {
@@ -303,10 +182,10 @@ LibrarySpectrum readEms(std::string_view text, const std::string& file) {
             isInside = false;
             continue;
         }
-        const std::vector<double> numbers = numbersOf(content);
+        const std::vector<double> numbers = numbersOfLine(content);
         if (isInside && numbers.size() != 2)
-            refuse(file, line, "'" + std::string(content.substr(0, 60)) + "'",
-                   "wavelength or wavenumber and emissivity");
+            refuseLibrary(file, line, "'" + std::string(content.substr(0, 60)) + "'",
+                          "wavelength or wavenumber and emissivity");
         if (isInside && curves == 1)
             nodes.add(numbers[0], numbers[1], line);
         if (!isInside && curves == 0 && line > 1 && numbers.size() == 1) {
@@ -322,7 +201,7 @@ LibrarySpectrum readEms(std::string_view text, const std::string& file) {
                            "normal");
     const bool areWavenumbers =
         !nodes.positions.empty() && std::ranges::min(nodes.positions) > 100.0;
-    result.columns.push_back(columnOf(
+    result.columns.push_back(libraryColumn(
         std::move(nodes), areWavenumbers ? SpectralAxis::wavenumber : SpectralAxis::wavelength,
         Quantity::emissivity, 1.0, file));
     return result;

@@ -34,11 +34,12 @@ const std::vector<NamedUnit>& allUnits() {
             units.push_back({{powerOfTen(exponent), false}, std::string(text) + " sr-1 um-1"});
             units.push_back({{powerOfTen(exponent), true}, std::string(text) + " sr-1 (cm-1)-1"});
         }
-        for (const auto& [text, exponent] : powers) {
-            const SpectralRadianceUnit perNanometre{powerOfTen(exponent + 3), false};
-            if (std::ranges::find(units, perNanometre, &NamedUnit::unit) == units.end())
-                units.push_back({perNanometre, std::string(text) + " sr-1 nm-1"});
-        }
+        for (const auto& [axis, ten] : {std::pair("nm", 3), std::pair("angstrom", 4)})
+            for (const auto& [text, exponent] : powers) {
+                const SpectralRadianceUnit unit{powerOfTen(exponent + ten), false};
+                if (std::ranges::find(units, unit, &NamedUnit::unit) == units.end())
+                    units.push_back({unit, std::string(text) + " sr-1 " + axis + "-1"});
+            }
         return units;
     }();
     return all;
@@ -47,9 +48,24 @@ const std::vector<NamedUnit>& allUnits() {
 /// ASCII, with points and stars as blanks: "µW·cm⁻² sr⁻¹" becomes "uW cm-2 sr-1".
 std::string plainText(std::string_view text) {
     constexpr std::pair<std::string_view, std::string_view> replacements[] = {
-        {"\u00b5", "u"}, {"\u03bc", "u"}, {"\u207b", "-"}, {"\u2212", "-"}, {"\u00b9", "1"},
-        {"\u00b2", "2"}, {"\u00b7", " "}, {"\u22c5", " "}, {"*", " "},      {"^", ""},
-        {".", " "},      {"per ", "/"},   {"micron", "um"}};
+        {"\u00b5", "u"},
+        {"\u03bc", "u"},
+        {"\u207b", "-"},
+        {"\u2212", "-"},
+        {"\u00b9", "1"},
+        {"\u00b2", "2"},
+        {"\u00b7", " "},
+        {"\u22c5", " "},
+        {"*", " "},
+        {"^", ""},
+        {".", " "},
+        {"per ", "/"},
+        {"micron", "um"},
+        {"Angstrom", "angstrom"},
+        {"\u00c5ngstr\u00f6m", "angstrom"},
+        {"\u00e5ngstr\u00f6m", "angstrom"},
+        {"\u00c5", "angstrom"},
+        {"\u212b", "angstrom"}};
     std::string result;
     while (!text.empty()) {
         const auto found = std::ranges::find_if(
@@ -162,7 +178,7 @@ class UnitParser {
 std::optional<SpectralRadianceUnit> unitOf(std::vector<Factor> factors) {
     constexpr std::pair<std::string_view, int> powers[] = {{"W", 0}, {"mW", -3}, {"uW", -6}};
     constexpr std::pair<std::string_view, int> areas[] = {{"m", 0}, {"cm", 4}};
-    constexpr std::pair<std::string_view, int> axes[] = {{"um", 0}, {"nm", 3}};
+    constexpr std::pair<std::string_view, int> axes[] = {{"um", 0}, {"nm", 3}, {"angstrom", 4}};
     const auto take = [&](std::string_view unit, int exponent) {
         const auto found = std::ranges::find(factors, Factor{std::string(unit), exponent});
         if (found == factors.end())

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "irsg/core/ColumnWords.h"
 #include "irsg/core/CsvTable.h"
 #include "irsg/core/Diagnostics.h"
 #include "irsg/core/Errors.h"
@@ -65,20 +66,19 @@ class TrajectoryReader {
         width_ = header.cells.size();
         for (std::size_t place = 0; place < width_; ++place) {
             const irsg::CsvCell& cell = header.cells[place];
-            const std::size_t open = cell.text.find('[');
-            const std::string_view name =
-                irsg::trimmed(std::string_view(cell.text).substr(0, open));
+            irsg::ColumnHead head = irsg::columnHead(cell.text);
+            if (head.name == "altitude")
+                head.name = "z";
             const auto* const column =
-                std::find_if(columns_.begin(), columns_.end(),
-                             [&](const Column& one) { return one.name == name; });
+                std::find_if(columns_.begin(), columns_.end(), [&](const Column& one) {
+                    return irsg::columnHead(one.header()).name == head.name;
+                });
             if (column == columns_.end()) {
                 diagnostics_.push_back(csv_.diagnostic(cell, "one of " + allHeaders()));
                 continue;
             }
-            if (open != std::string::npos &&
-                cell.text.substr(open) != fmt::format("[{}]", column->unit)) {
+            if (!head.unit.empty() && head.unit != column->unit)
                 diagnostics_.push_back(csv_.diagnostic(cell, column->header()));
-            }
             std::optional<std::size_t>& known =
                 places_[static_cast<std::size_t>(column - columns_.begin())];
             if (known)

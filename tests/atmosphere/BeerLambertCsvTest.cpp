@@ -75,6 +75,30 @@ TEST(BeerLambertCsv, FillsWhatIsMissingFromItsTemperatures) {
     EXPECT_NEAR(bare.downwardFlux(0.0, noon, mwir).at(4.0) / down, 1.0, 1e-6);
 }
 
+TEST(BeerLambertCsv, ExtinctionPerMetreAndWordsOfOtherLanguagesGiveOneAir) {
+    const auto expected =
+        atmosphereOf("# air_temperature [K]: 280\nwavelength [um],extinction [km-1]\n"
+                     "3,0.125\n5,0.25\n")
+            .parameters();
+    for (const char* text :
+         {"# air_temperature [K]: 280\nwavelength [um],extinction [m-1]\n3,0.000125\n5,0.00025\n",
+          "# Lufttemperatur [K]: 280\nWellenl\u00e4nge [\u00b5m];Extinktionskoeffizient [1/m]\n"
+          "3;0,000125\n5;0,00025\n",
+          "# Temp\u00e9rature de l'air (K): 280\nlongueur d'onde (nm);coefficient d'extinction "
+          "(km\u207b\u00b9)\n3000;0,125\n5000;0,25\n",
+          "# Air temperature in K: 280\nk [per km],\u00c5\n0.125,30000\n0.25,50000\n"}) {
+        const auto air = atmosphereOf(text).parameters();
+        EXPECT_EQ(air.extinction_per_m.wavelengths_um(), expected.extinction_per_m.wavelengths_um())
+            << text;
+        for (const double wavelength_um : {3.0, 5.0}) {
+            EXPECT_NEAR(air.extinction_per_m.at(wavelength_um),
+                        expected.extinction_per_m.at(wavelength_um), 1e-18)
+                << text;
+        }
+        EXPECT_EQ(air.airTemperature_K, 280.0) << text;
+    }
+}
+
 TEST(BeerLambertCsv, TheSunCanBeSwitchedOff) {
     const BeerLambert air =
         atmosphereOf("# sun: none\nwavelength [um],extinction [km-1]\n3,0.1\n5,0.1\n");
@@ -160,8 +184,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "line 1: found 'wavelength [um]', expected a column 'extinction [km-1]'"},
         BadFile{"noWavelength", "extinction [km-1]\n1\n2\n",
                 "line 1: found 'extinction [km-1]', expected a column 'wavelength [um]'"},
-        BadFile{"extinctionPerMetre", "wavelength [um],extinction [m-1]\n3,1\n5,1\n",
-                "line 1, column 2: found 'extinction [m-1]', expected one of"},
+        BadFile{"extinctionPerMegametre", "wavelength [um],extinction [Mm-1]\n3,1\n5,1\n",
+                "line 1, column 2: found 'extinction [Mm-1]', expected one of"},
         BadFile{"columnTwice",
                 "wavelength [um],extinction [km-1],extinction [km-1]\n3,1,1\n5,1,1\n",
                 "line 1, column 3: found 'extinction [km-1]', expected each column once"},
@@ -189,6 +213,13 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{"airTemperatureNegative", "# air_temperature [K]: -5\n" + good,
                 "line 1: found '-5'"},
         BadFile{"airTemperatureEmpty", "# air_temperature [K]:\n" + good, "line 1: found nothing"},
+        BadFile{"celsiusInAnotherLanguage", "# Lufttemperatur [\u00b0C]: 15\n" + good,
+                "line 1: found 'Lufttemperatur [\u00b0C]', expected one of"},
+        BadFile{"bothUnitsOfExtinction",
+                "wavelength [um],extinction [km-1],extinction [m-1]\n3,1,0.001\n5,1,0.001\n",
+                "line 1, column 3: found 'extinction [m-1]', expected each column once"},
+        BadFile{"extinctionWithoutUnit", "wavelength [um],Extinktion\n3,1\n5,1\n",
+                "line 1, column 2: found 'Extinktion', expected one of"},
         BadFile{"celsius", "# air_temperature [C]: 15\n" + good,
                 "line 1: found 'air_temperature [C]', expected one of"},
         BadFile{"keyWithoutUnit", "# air_temperature: 288\n" + good,

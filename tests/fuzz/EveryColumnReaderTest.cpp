@@ -13,11 +13,15 @@
 #include "irsg/atmosphere/SpectraAtmosphere.h"
 #include "irsg/atmosphere/engine/Profile.h"
 #include "irsg/atmosphere/import/ModtranCsv.h"
+#include "irsg/core/ColumnWords.h"
 #include "irsg/core/CsvTable.h"
 #include "irsg/core/Errors.h"
+#include "irsg/core/FileReading.h"
 #include "irsg/core/Remarks.h"
+#include "irsg/gas/PlumeTable.h"
 #include "irsg/image/CsvImage.h"
 #include "irsg/radiometry/Band.h"
+#include "irsg/radiometry/SpectralHead.h"
 #include "irsg/signature/MaterialCsv.h"
 #include "irsg/signature/ReflectanceCsv.h"
 #include "irsg/signature/SpectrumCsv.h"
@@ -97,7 +101,17 @@ struct Way {
     std::string separator = ",";
     bool hasDecimalCommas = false, isQuoted = false, hasD = false, isPadded = false;
     std::string lineEnd = "\n", before = {};
+    std::string group = {}; ///< between thousands
 };
+
+/// The whole part of a number in groups of three digits.
+std::string grouped(std::string number, const std::string& sign) {
+    const std::size_t whole = std::min(number.find_first_of(".,eE"), number.size());
+    for (std::size_t at = whole; at > 3; at -= 3) {
+        number.insert(at - 3, sign);
+    }
+    return number;
+}
 
 std::string written(const std::string& text, const Way& way) {
     const auto rows = rowsOf(text);
@@ -116,6 +130,10 @@ std::string written(const std::string& text, const Way& way) {
             }
             if (isNumber && way.hasDecimalCommas) {
                 std::ranges::replace(cell, '.', ',');
+            }
+            if (isNumber && !way.group.empty() &&
+                (way.group != "." || cell.find(',') != cell.npos)) {
+                cell = grouped(cell, way.group);
             }
             if (way.isQuoted && !isComment) {
                 cell = "\"" + cell + "\"";
@@ -176,6 +194,14 @@ const std::vector<Form>& forms() {
         {"CR and LF", as({.lineEnd = "\r\n"})},
         {"a byte order mark", as({.before = "\xEF\xBB\xBF"})},
         {"UTF-16", [](const std::string& text) { return asUtf16(text); }},
+        {"Latin-1", as({.before = "# gemessen in K\xf6ln\n"}), "Latin-1"},
+        {"thousands with blanks", as({.separator = ";", .hasDecimalCommas = true, .group = " "}),
+         "semicolons"},
+        {"thousands with blanks that do not break",
+         as({.separator = "\t", .hasDecimalCommas = true, .group = "\u202f"}), "tabs"},
+        {"thousands with apostrophes", as({.separator = ";", .group = "'"}), "semicolons"},
+        {"thousands with points before decimal commas",
+         as({.separator = ";", .hasDecimalCommas = true, .group = "."}), "semicolons"},
         {"rows made equally wide", as({.isPadded = true})},
         {"sep=;", as({.separator = ";", .hasDecimalCommas = true, .before = "sep=;\n"}),
          "semicolons"},
@@ -186,6 +212,32 @@ const std::vector<Form>& forms() {
          "head lines"},
     };
     return all;
+}
+
+std::string factorsOf(File file, irsg::FactorAxis axis) {
+    irsg::UserSpectrum spectrum;
+    spectrum.components = {{"CO2", {{3.0, 5.0}, {1.0, 1.0}}}, {"soot", {{3.0, 5.0}, {1.0, 1.0}}}};
+    irsg::ComponentFactors factors;
+    irsg::readFactorCsv(file, axis, false, spectrum, factors);
+    Digest digest;
+    for (const auto& factor : factors) {
+        digest.add(factor.component);
+        for (const double position : {0.5, 3.25, 110.5}) {
+            digest.add(
+                (axis == irsg::FactorAxis::time_s ? factor.time : factor.angle).at(position));
+        }
+    }
+    return digest.text();
+}
+
+std::string levelsOf(File file) {
+    const auto above = irsg::Profile::model(irsg::ModelAtmosphere::usStandard1976);
+    Digest digest;
+    const auto air = irsg::Profile::fromRadiosonde(file, above);
+    for (const auto& level : air.levels()) {
+        digest.add(level.altitude_m).add(level.temperature_K).addAll(level.moleFraction);
+    }
+    return digest.text();
 }
 
 const std::vector<ColumnReader>& readers() {
@@ -205,26 +257,12 @@ const std::vector<ColumnReader>& readers() {
              }
              return digest.text();
          }},
-        {"factors",
-         ",CO2,soot\n0.5,1.25,2.5\n10.5,0.5,1.75\n",
-         [](File file) {
-             irsg::UserSpectrum spectrum;
-             spectrum.components = {{"CO2", {{3.0, 5.0}, {1.0, 1.0}}},
-                                    {"soot", {{3.0, 5.0}, {1.0, 1.0}}}};
-             irsg::ComponentFactors factors;
-             irsg::readFactorCsv(file, irsg::FactorAxis::time_s, false, spectrum, factors);
-             Digest digest;
-             for (const auto& factor : factors) {
-                 digest.add(factor.component);
-                 for (const double time_s : {0.5, 3.25, 10.5}) {
-                     digest.add(factor.time.at(time_s));
-                 }
-             }
-             return digest.text();
-         },
-         // An empty first cell is none between blanks.
-         {"blanks", "blanks and decimal commas"}},
-        {"material", "um,emissivity,transmissivity\n3.5,0.75,0.125\n4.5,0.5,0.25\n",
+        {"factors", "time [s],CO2,soot\n0.5,1.25,2.5\n1010.5,0.5,1.75\n",
+         [](File file) { return factorsOf(file, irsg::FactorAxis::time_s); }},
+        {"factors over angle", "angle [deg],CO2,soot\n0.5,1.25,2.5\n110.5,0.5,1.75\n",
+         [](File file) { return factorsOf(file, irsg::FactorAxis::angle_deg); }},
+        {"material",
+         "um,emissivity,transmissivity,reflectivity\n3.5,0.75,0.125,0.125\n4.5,0.5,0.25,0.25\n",
          [](File file) {
              irsg::Material material;
              irsg::readMaterialCsv(file, material);
@@ -265,14 +303,25 @@ const std::vector<ColumnReader>& readers() {
         {"sounding",
          "altitude [m],pressure [hPa],temperature [K],relative_humidity [%]\n"
          "0,1013.25,288.5,50.5\n1000.5,898.75,281.5,40.25\n2000.5,795,275.25,30.5\n",
+         levelsOf},
+        {"sounding with dew points",
+         "altitude [m],pressure [hPa],temperature [C],dew_point [C]\n"
+         "0,1013.25,15.5,5.5\n1000.5,898.75,8.5,1.25\n2000.5,795,2.25,-3.5\n",
+         levelsOf},
+        {"plume",
+         "x [m],r [m],T [K],p [atm],CO2,soot [ppmv]\n0,0,1200.5,1,0.125,0.5\n"
+         "0,0.5,900.5,1,0.0625,0.25\n1.5,0,1000.5,1,0.25,1.5\n1.5,0.5,800.25,1,0.03125,0\n",
          [](File file) {
-             const auto above = irsg::Profile::model(irsg::ModelAtmosphere::usStandard1976);
+             const auto plume = irsg::PlumeTable::read(file);
              Digest digest;
-             const auto air = irsg::Profile::fromRadiosonde(file, above);
-             for (const auto& level : air.levels()) {
-                 digest.add(level.altitude_m).add(level.temperature_K).addAll(level.moleFraction);
+             for (std::size_t x = 0; x < 2; ++x) {
+                 for (std::size_t r = 0; r < 2; ++r) {
+                     irsg::GasLayer gas = plume.node(x, r);
+                     digest.add(gas.temperature_K).add(gas.pressure_atm);
+                     digest.add(gas.fraction(irsg::HotGas::CO2)).add(gas.soot_ppmv);
+                 }
              }
-             return digest.text();
+             return digest.addAll(plume.x_m()).addAll(plume.r_m()).text();
          }},
         {"MODTRAN",
          test::modtranCsvText(),
@@ -285,8 +334,8 @@ const std::vector<ColumnReader>& readers() {
          },
          {"head lines"}},
         {"trajectory",
-         "t [s],x [m],y [m],z [m],yaw [deg],pitch [deg],roll [deg]\n0,0.5,1.5,100.25,0,0,0\n"
-         "1.5,10.5,0,100.5,5.25,0,0\n",
+         "t [s],x [m],y [m],z [m],yaw [deg],pitch [deg],roll [deg],mach\n"
+         "0,0.5,1.5,1100.25,0,0,0,0.5\n1.5,10.5,0,1100.5,5.25,0,0,0.75\n",
          [](File file) {
              Digest digest;
              for (const auto& row : TrajectoryTable::read(file).rows) {
@@ -352,6 +401,154 @@ TEST_P(EveryColumnReader, RefusesNumbersOfTwoDecimalSignsByLineAndValue) {
     } catch (const irsg::InputError& error) {
         EXPECT_THAT(error.what(), HasSubstr("line " + std::to_string(line)));
     }
+}
+
+/// The places of heads in a text: cells of its row of names, and keys of its comments.
+struct HeadPlace {
+    std::size_t begin = 0;
+    std::string head;
+};
+std::vector<HeadPlace> headsOf(const std::string& text) {
+    std::vector<HeadPlace> heads;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = text.find('\n', begin);
+        if (text[begin] == '#') {
+            const std::size_t colon = text.find(':', begin);
+            heads.push_back({begin + 2, text.substr(begin + 2, colon - begin - 2)});
+        } else {
+            for (std::size_t cell = begin; cell <= end;) {
+                const std::size_t comma = std::min(text.find(',', cell), end);
+                heads.push_back({cell, text.substr(cell, comma - cell)});
+                cell = comma + 1;
+            }
+            return heads;
+        }
+        begin = end + 1;
+    }
+    return heads;
+}
+
+struct OtherHead {
+    std::string head, word; ///< word: the row of a table that it comes from
+};
+
+/// A head in every other word for its name, and every other spelling of its unit.
+std::vector<OtherHead> otherHeads(const std::string& head) {
+    const irsg::ColumnHead meant = irsg::columnHead(head);
+    std::vector<OtherHead> others;
+    for (const auto& [word, name] : irsg::columnWords()) {
+        if (name == meant.name) {
+            const std::string unit = meant.unit.empty() ? "" : " [" + meant.unit + "]";
+            others.push_back({std::string(word) + unit, std::string(word)});
+        }
+    }
+    for (const auto& [spelling, unit] : irsg::columnUnits()) {
+        // Names of components have none.
+        if (unit != meant.unit || (unit.empty() && meant.name != "mach")) {
+            continue;
+        }
+        for (const char* form : {" [", " (", " in "}) {
+            const std::string close = form[1] == '[' ? "]" : form[1] == '(' ? ")" : "";
+            if (!close.empty() || !unit.empty()) {
+                others.push_back(
+                    {meant.name + form + std::string(spelling) + close, std::string(spelling)});
+            }
+        }
+    }
+    return others;
+}
+
+TEST(EveryColumnReaderOf, OtherWordsAndSpellingsOfUnitsTakesTheSameNumbers) {
+    const auto file = ownFolder() / "columns.csv";
+    std::set<std::string> walked;
+    for (const ColumnReader& reader : readers()) {
+        const std::string expected = reader.read(writtenFile(file, reader.text));
+        for (const HeadPlace& place : headsOf(reader.text)) {
+            for (const OtherHead& other : otherHeads(place.head)) {
+                std::string text = reader.text;
+                text.replace(place.begin, place.head.size(), other.head);
+                SCOPED_TRACE(std::string(reader.name) + ": " + other.head);
+                writtenFile(file, text);
+                try {
+                    // Results keep the names that their file has.
+                    EXPECT_TRUE(reader.read(file) == expected ||
+                                std::string(reader.name) == "results");
+                    walked.insert(other.word);
+                } catch (const irsg::InputError& error) {
+                    ADD_FAILURE() << error.what();
+                }
+            }
+        }
+    }
+    // Each row of the tables is one of a reader's, and stands on the page.
+    const std::string page =
+        irsg::readFile(std::filesystem::path(SMAT_SOURCE_DIR) / "docs/formats-images.md");
+    const auto stands = [&](std::string_view word) {
+        return page.find("`" + std::string(word) + "`") != page.npos;
+    };
+    for (const irsg::ColumnWord& word : irsg::columnWords()) {
+        EXPECT_TRUE(walked.contains(std::string(word.word)) && stands(word.word)) << word.word;
+    }
+    const std::set<std::string_view> others = {"nm", "angstrom", "m-1"}; // other numbers
+    for (const irsg::ColumnUnit& unit : irsg::columnUnits()) {
+        EXPECT_TRUE(walked.contains(std::string(unit.spelling)) || others.contains(unit.unit))
+            << unit.spelling;
+        EXPECT_TRUE(stands(unit.spelling)) << unit.spelling;
+    }
+    test::expectWalked("words at heads of columns that stand for others",
+                       irsg::columnWords().size());
+    test::expectWalked("spellings of units at heads of columns", irsg::columnUnits().size());
+}
+
+/// A text whose wavelengths are those of another unit.
+std::string inUnit(const std::string& text, std::size_t column, const std::string& head,
+                   double factor) {
+    std::string result;
+    bool isBehindHead = false;
+    for (auto& row : rowsOf(text)) {
+        const bool isComment = row.size() == 1 && row.front().starts_with('#');
+        if (!isComment) {
+            row[column] =
+                isBehindHead ? irsg::numberText(factor * *irsg::parseNumber(row[column])) : head;
+        }
+        isBehindHead = isBehindHead || !isComment;
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            result += (i > 0 ? "," : "") + row[i];
+        }
+        result += "\n";
+    }
+    return result;
+}
+
+TEST(EveryColumnReaderOf, SpectraTakesNanometresAndAngstroms) {
+    const auto file = ownFolder() / "columns.csv";
+    std::size_t count = 0;
+    for (const ColumnReader& reader : readers()) {
+        std::size_t column = 0;
+        for (const HeadPlace& place : headsOf(reader.text)) {
+            const auto axis = irsg::spectralHead(place.head);
+            const bool isComment = place.begin >= 2 && reader.text[place.begin - 2] == '#';
+            if (axis && axis->axis == irsg::SpectralAxis::wavelength) {
+                ++count;
+                const std::string expected = reader.read(writtenFile(file, reader.text));
+                for (const auto& [head, factor] :
+                     {std::pair("nm", 1e3), std::pair("Wellenl\u00e4nge [nm]", 1e3),
+                      std::pair("\u00c5", 1e4), std::pair("wavelength [\u212b]", 1e4),
+                      std::pair("Wavelength (Angstrom)", 1e4),
+                      std::pair("longueur d'onde (\u00e5ngstr\u00f6m)", 1e4)}) {
+                    SCOPED_TRACE(std::string(reader.name) + ": " + head);
+                    writtenFile(file, inUnit(reader.text, column, head, factor));
+                    try {
+                        EXPECT_EQ(reader.read(file), expected);
+                    } catch (const irsg::InputError& error) {
+                        ADD_FAILURE() << error.what();
+                    }
+                }
+            }
+            column += isComment ? 0 : 1;
+        }
+    }
+    EXPECT_EQ(count, 5U) << "response, spectrum, material, air, spectra of air";
 }
 
 TEST(WalkedReaders, OfColumnsAreAsManyAsThePageHas) {

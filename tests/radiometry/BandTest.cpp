@@ -209,10 +209,11 @@ TEST(BandCsv, NamesEveryDiagnosticAtOnce) {
 
 TEST(BandCsv, ShowsBytesThatAreNotUtf8AsLatin1) {
     try {
-        bandOf("Wellenl\xE4nge,response\n3,0\n4,1\n5,0\n");
+        bandOf("Gr\xF6\xDF"
+               "e,response\n3,0\n4,1\n5,0\n");
         FAIL() << "accepted";
     } catch (const InputError& error) {
-        EXPECT_THAT(error.what(), HasSubstr("Wellenl\u00e4nge"));
+        EXPECT_THAT(error.what(), HasSubstr("Gr\u00f6\u00dfe"));
     }
 }
 

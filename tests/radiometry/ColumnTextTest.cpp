@@ -42,6 +42,12 @@ TEST(ColumnText, FindsSeparatorAndDecimalSignFromTheWholeText) {
         {"words do not count", "one;two;three\n1,2\n", ',', '.'},
         {"the stated separator", "sep=;\n1,2;3\n", ';', ','},
         {"numbers that are none", "nan;1,5\ninf;2\n", ';', ','},
+        {"blanks between thousands", "1 234,5;2\n12 345;6\n", ';', ','},
+        {"blanks between thousands of some rows", "1 234,5\t2\n345,5\t6\n", '\t', ','},
+        {"blanks that do not break", "1\u00a0234,5 2\n12\u00a0345 6,5\n", ' ', ','},
+        {"blanks between thousands in quotes", "\"1 234,5\",\"2,5\"\n", ',', ','},
+        {"columns of three digits between blanks", "1 234\n2 345\n", ' ', '.'},
+        {"pairs between commas", "100 200, 300 400\n", ',', '.'},
     };
     for (const auto& row : rows) {
         EXPECT_EQ(columnDialectOf(row.text, "f"), (ColumnDialect{row.separator, row.decimal}))
@@ -58,6 +64,8 @@ TEST(ColumnText, RefusesWhatCanBeReadInTwoWaysByLineAndValue) {
         {"decimal commas before commas", "a,b\n1,5, 2,5\n3,5, 4,5\n",
          "f: line 2: found '1,5, 2,5'"},
         {"thousands in quotes", "\"1,234\",\"5,678\"\n", "f: line 1: found '1,234'"},
+        {"thousands between tabs, or four columns", "a\tb\n1 234\t5 678\n2 345\t6 789\n",
+         "f: line 2: found '1 234'"},
     };
     for (const auto& row : rows) {
         SCOPED_TRACE(row.name);
@@ -104,6 +112,44 @@ TEST(ColumnText, TakesNumbersOfOneDialectAlone) {
     for (const auto& row : rows) {
         const auto plain = plainNumber(row.text, row.decimal);
         EXPECT_EQ(plain.value_or("none"), row.plain == nullptr ? "none" : row.plain) << row.text;
+    }
+}
+
+TEST(ColumnText, TakesDigitsInGroupsOfThree) {
+    const ColumnDialect german{';', ','}, english{'\t', '.'}, plain{',', '.'}, blanks{' ', '.'};
+    const struct {
+        const char* text;
+        ColumnDialect dialect;
+        const char* number; ///< null: none
+        bool isQuoted = false;
+    } rows[] = {
+        {"1 234,5", german, "1234.5"},
+        {"-12 345 678", german, "-12345678"},
+        {"\u22121\u202f234,5e2", german, "-1234.5e2"},
+        {"1\u00a0234", german, "1234"},
+        {"1'234.5", english, "1234.5"},
+        {"1\u2019234\u2019567", plain, "1234567"},
+        {"1.234.567,5", german, "1234567.5"},
+        {"1,234.5", english, "1234.5"},
+        {"1 234.5", plain, nullptr},
+        {"1 234.5", plain, "1234.5", true},
+        {"1 234.5", blanks, nullptr},
+        {"1.234", german, nullptr}, // or one and a bit
+        {"1,234", english, nullptr},
+        {"12 34", german, nullptr},
+        {"1234 567", german, nullptr},
+        {"1 234'567", german, nullptr},
+        {"1 2345", german, nullptr},
+        {"1  234", german, nullptr},
+        {"1,5 234", german, nullptr},
+        {" 234", german, "234"},
+        {"' 234", german, nullptr},
+    };
+    for (const auto& row : rows) {
+        const ColumnCell cell{row.text, {}, row.isQuoted};
+        EXPECT_EQ(cellNumber(cell, row.dialect).value_or("none"),
+                  row.number == nullptr ? "none" : row.number)
+            << row.text;
     }
 }
 

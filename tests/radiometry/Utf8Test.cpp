@@ -21,6 +21,16 @@ TEST(Utf8, ReadsWhatIsNoneAsLatin1) {
     EXPECT_EQ(utf8Text(""), "");
 }
 
+TEST(Utf8, TakesTheTextOfAFileFromItsBytes) {
+    std::string storage;
+    EXPECT_EQ(utf8Of("\xEF\xBB\xBF\u00e9", storage), "\u00e9");
+    EXPECT_TRUE(storage.empty());
+    EXPECT_EQ(utf8Of(std::string_view("\xFF\xFE\xe9\0", 4), storage), "\u00e9");
+    EXPECT_EQ(utf8Of("\xe9", storage), "\u00e9");
+    EXPECT_EQ(storage, "\u00e9");
+    EXPECT_EQ(utf8Of("", storage), "");
+}
+
 TEST(Utf8, TakesEachByteThatIsNoneByItself) {
     const struct {
         const char* name;

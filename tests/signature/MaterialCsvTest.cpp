@@ -2,6 +2,7 @@
 
 #include "irsg/core/Remarks.h"
 
+#include "irsg/signature/DispersionFormula.h"
 #include "irsg/signature/EntryFields.h"
 
 #include "Support.h"
@@ -9,6 +10,7 @@
 namespace irsg {
 namespace {
 
+using testing::Contains;
 using testing::HasSubstr;
 
 Material read(const std::string& text, Material material = {}) {
@@ -171,6 +173,40 @@ TEST(MaterialCsv, RefractiveIndicesGiveANewMaterialTheEmissivityOfItsFlatFace) {
     EXPECT_NEAR(material.emissivity.at(8.0), 1.0 - (0.04 + 0.16) / (4.84 + 0.16), 1e-12);
 }
 
+TEST(MaterialCsv, FormulasOfRefractiveIndicesAreReadAsCurves) {
+    const TemporaryFolder folder;
+    const std::string sellmeier =
+        "# zinc selenide\nDATA:\n  - type: formula 2\n    wavelength_range: 0.54 18.2\n    "
+        "coefficients: 0 4.2980149 0.0368879 0.62776557 0.14347626 2.8955633 2208.4920\n";
+    Material material;
+    {
+        const CollectedRemarks remarks;
+        readMaterialCsv(writeBytes(folder / "a.yml", sellmeier), material);
+        EXPECT_THAT(remarks.sentences(), Contains(HasSubstr("formula 2")));
+        EXPECT_THAT(remarks.sentences(), Contains(HasSubstr("k is 0")));
+    }
+    // Tatian 1984: 2.4028 at 10.6 um.
+    EXPECT_NEAR(material.refractiveIndex.at(10.6), 2.4028, 2e-4);
+    EXPECT_EQ(material.extinction.at(10.6), 0.0);
+    // Straight pieces follow the formula.
+    for (double wavelength_um = 0.54; wavelength_um < 18.2; wavelength_um += 0.0137) {
+        const std::vector<double> c = {0,          4.2980149, 0.0368879, 0.62776557,
+                                       0.14347626, 2.8955633, 2208.4920};
+        const double n = dispersionIndex(2, c, wavelength_um);
+        ASSERT_NEAR(material.refractiveIndex.at(wavelength_um), n, 2e-5 * n) << wavelength_um;
+    }
+    EXPECT_LT(material.refractiveIndex.size(), 500U);
+    // A table of k beside it, before or behind it.
+    const std::string table = "  - type: tabulated k\n    data: |\n        3 0.25\n        5 0.5\n";
+    for (const std::string& text :
+         {sellmeier + table, "DATA:\n" + table + sellmeier.substr(sellmeier.find("  - "))}) {
+        Material both;
+        readMaterialCsv(writeBytes(folder / "b.yml", text), both);
+        EXPECT_EQ(both.extinction.at(4.0), 0.375);
+        EXPECT_EQ(both.refractiveIndex, material.refractiveIndex);
+    }
+}
+
 TEST(MaterialCsv, JcampIsReadInItsPackedForms) {
     const TemporaryFolder folder;
     const std::string head = "##TITLE=x\n##JCAMP-DX=4.24\n##XUNITS=1/CM\n##YUNITS=TRANSMITTANCE\n"
@@ -208,7 +244,22 @@ TEST(MaterialCsv, JcampIsReadInItsPackedForms) {
 TEST(MaterialCsv, LibrariesThatHoldNoSpectrumAreRefusedByName) {
     const TemporaryFolder folder;
     const std::pair<std::string, const char*> rows[] = {
-        {"DATA:\n  - type: formula 1\n    coefficients: 0 1 2\n", "formulas are not read"},
+        {"DATA:\n  - type: formula 10\n    coefficients: 0 1 2\n", "line 2: found 'formula 10'"},
+        {"DATA:\n  - type: formula 1\n    coefficients: 0 1 2\n", "line 2: found formula 1"},
+        {"DATA:\n  - type: formula 1\n    wavelength_range: 5 3\n    coefficients: 0 1 2\n",
+         "wavelength_range of two ascending"},
+        {"DATA:\n  - type: formula 1\n    wavelength_range: 3 5\n", "line 2: found 0 coefficients"},
+        {"DATA:\n  - type: formula 8\n    wavelength_range: 3 5\n    coefficients: 0 1 2 3 4\n",
+         "line 4: found 5 coefficients, expected 1 to 4 for formula 8"},
+        {"DATA:\n  - type: formula 1\n    wavelength_range: 3 5\n    coefficients: 0 one 2\n",
+         "line 4: found '0 one 2', expected numbers"},
+        {"DATA:\n  - type: formula 2\n    wavelength_range: 3 5\n    coefficients: 0 0.5 16.2\n",
+         "line 4: found no n at 3.288 um"}, // near a pole
+        {"DATA:\n  - type: formula 3\n    wavelength_range: 3 5\n    coefficients: -2\n",
+         "line 4: found no n at 3 um"},
+        {"DATA:\n  - type: formula 3\n    wavelength_range: 3 5\n    coefficients: 2\n"
+         "  - type: tabulated n\n    data: |\n        3 1.5\n        5 1.5\n",
+         "line 5: found n again"},
         {"DATA:\n  - type: tabulated nk\n    data: |\n        2 1.5\n", "line 4: found 2 numbers"},
         {"splib07a Record=1: x\n 0.1\n 0.2\n 0.3\n", "wavelengths are in another file"},
         {"Name: x\nX Units: Wavelength (furlongs)\nY Units: Reflectance\n\n1 2\n2 3\n",
@@ -232,7 +283,12 @@ TEST(MaterialCsv, HeadsOfPercentAndOtherWordsAreTheSameColumns) {
          {"wavelength [nm],Reflectance (%)\n3000,15\n5000,10\n", "um,reflectance\n3,0.15\n5,0.1\n",
           "Wavelength (um)\tEmittance [%]\n5\t90\n3\t85\n",
           "cm-1,emissivity\n2000,0.9\n3333.3333,0.85\n",
-          "# head wavelength\nwavelength [um],emissivity\n3,0.85\n5,0.9\n"}) {
+          "# head wavelength\nwavelength [um],emissivity\n3,0.85\n5,0.9\n",
+          "Wellenl\u00e4nge [\u00b5m];Emissionsgrad\n3;0,85\n5;0,9\n",
+          "Wellenl\xe4nge [\xb5m];Reflexionsgrad in Prozent\n3;15\n5;10\n",
+          "Wellenzahl [cm-1]\tEmissivit\u00e4t\n2000\t0,9\n3333,3333\t0,85\n",
+          "longueur d'onde (nm);facteur de r\u00e9flexion (%)\n3000;15\n5000;10\n",
+          "Longueur d\u2019onde [\u00c5];\u00e9missivit\u00e9\n30 000;0,85\n50 000;0,9\n"}) {
         Material material;
         readMaterialCsv(writeBytes(folder / "a.csv", text), material);
         EXPECT_NEAR(material.emissivity.at(3.0), 0.85, 1e-6) << text;

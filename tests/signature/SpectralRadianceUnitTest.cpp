@@ -12,13 +12,16 @@ struct Row {
 };
 
 TEST(SpectralRadianceUnit, HasTheseFactors) {
-    const Row rows[] = {{"W m-2 sr-1 um-1", 1.0, false},    {"W m-2 sr-1 (cm-1)-1", 1.0, true},
-                        {"mW m-2 sr-1 um-1", 1e-3, false},  {"mW m-2 sr-1 (cm-1)-1", 1e-3, true},
-                        {"uW m-2 sr-1 um-1", 1e-6, false},  {"uW m-2 sr-1 (cm-1)-1", 1e-6, true},
-                        {"W cm-2 sr-1 um-1", 1e4, false},   {"W cm-2 sr-1 (cm-1)-1", 1e4, true},
-                        {"mW cm-2 sr-1 um-1", 10.0, false}, {"mW cm-2 sr-1 (cm-1)-1", 10.0, true},
-                        {"uW cm-2 sr-1 um-1", 1e-2, false}, {"uW cm-2 sr-1 (cm-1)-1", 1e-2, true},
-                        {"W m-2 sr-1 nm-1", 1e3, false},    {"W cm-2 sr-1 nm-1", 1e7, false}};
+    const Row rows[] = {
+        {"W m-2 sr-1 um-1", 1.0, false},         {"W m-2 sr-1 (cm-1)-1", 1.0, true},
+        {"mW m-2 sr-1 um-1", 1e-3, false},       {"mW m-2 sr-1 (cm-1)-1", 1e-3, true},
+        {"uW m-2 sr-1 um-1", 1e-6, false},       {"uW m-2 sr-1 (cm-1)-1", 1e-6, true},
+        {"W cm-2 sr-1 um-1", 1e4, false},        {"W cm-2 sr-1 (cm-1)-1", 1e4, true},
+        {"mW cm-2 sr-1 um-1", 10.0, false},      {"mW cm-2 sr-1 (cm-1)-1", 10.0, true},
+        {"uW cm-2 sr-1 um-1", 1e-2, false},      {"uW cm-2 sr-1 (cm-1)-1", 1e-2, true},
+        {"W m-2 sr-1 nm-1", 1e3, false},         {"W cm-2 sr-1 nm-1", 1e7, false},
+        {"mW cm-2 sr-1 angstrom-1", 1e5, false}, {"uW cm-2 sr-1 angstrom-1", 1e2, false},
+        {"W cm-2 sr-1 angstrom-1", 1e8, false}};
     ASSERT_EQ(std::size(rows), SpectralRadianceUnit::known().size());
     for (std::size_t i = 0; i < std::size(rows); ++i) {
         const auto unit = SpectralRadianceUnit::parse(rows[i].text);
@@ -47,6 +50,9 @@ TEST(SpectralRadianceUnit, IsKnownInOtherSpellings) {
         {"mW/cm2/sr/nm", "W cm-2 sr-1 um-1"},
         {"mW m-2 sr-1 nm-1", "W m-2 sr-1 um-1"},
         {"uW cm-2 sr-1 nm-1", "mW cm-2 sr-1 um-1"},
+        {"uW cm-2 sr-1 \u00c5-1", "uW cm-2 sr-1 angstrom-1"},
+        {"mW m-2 sr-1 \u00c5ngstr\u00f6m-1", "mW cm-2 sr-1 um-1"},
+        {"W/m2/sr/\u212b", "W cm-2 sr-1 um-1"},
         {"W/(m^2 sr micron)", "W m-2 sr-1 um-1"},
         {" W  m-2  sr-1  um-1 ", "W m-2 sr-1 um-1"}};
     for (const auto& [spelling, canonical] : rows) {

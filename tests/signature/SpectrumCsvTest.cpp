@@ -290,8 +290,6 @@ INSTANTIATE_TEST_SUITE_P(
                "line 2, column 3", "nothing", "name of a component"},
         BadCsv{"ComponentTwice", "# unit: W m-2 sr-1 um-1\num,a,a\n4,1,1\n5,1,1\n",
                "line 2, column 3", "'a'", "once"},
-        BadCsv{"ComponentInLatin1", "# unit: W m-2 sr-1 um-1\num,\xe9\n4,1\n5,1\n",
-               "line 2, column 2", "not UTF-8", "UTF-8"},
         BadCsv{"RowTooShort", "# unit: W m-2 sr-1 um-1\num,a,b\n4,1,1\n5,1\n", "line 4", "2 cells",
                "3 cells"},
         BadCsv{"RowTooLong", "# unit: W m-2 sr-1 um-1\num,a\n4,1,9\n5,1\n", "line 3", "3 cells",

@@ -9,6 +9,7 @@
 #include "irsg/atmosphere/engine/Hydrostatics.h"
 #include "irsg/atmosphere/engine/Profile.h"
 #include "irsg/core/BoundedValues.h"
+#include "irsg/core/ColumnWords.h"
 #include "irsg/core/CsvTable.h"
 #include "irsg/core/Errors.h"
 #include "irsg/radiometry/Units.h"
@@ -52,8 +53,11 @@ constexpr std::array<std::string_view, gasCount> gasHeaders = {
     "h2o [ppmv]", "co2 [ppmv]", "o3 [ppmv]", "n2o [ppmv]",
     "co [ppmv]",  "ch4 [ppmv]", "o2 [ppmv]", "hno3 [ppmv]"};
 
+/// The column that a head means.
 const ProfileColumn* columnOf(std::string_view header) {
-    const auto found = std::ranges::find(columns, header, &ProfileColumn::header);
+    const ColumnHead head = columnHead(header);
+    const auto found = std::ranges::find_if(
+        columns, [&](const ProfileColumn& one) { return columnHead(one.header) == head; });
     return found == columns.end() ? nullptr : &*found;
 }
 
@@ -131,7 +135,8 @@ class Ascent {
         }
         bool isUsable = true;
         for (const auto& [header, place] : cells_) {
-            const ProfileColumn& column = *columnOf(header);
+            const ProfileColumn& column =
+                *std::ranges::find(columns, header, &ProfileColumn::header);
             const CsvCell& cell = row.cells[place];
             const std::string expected = numberText(column.least) + " to " +
                                          numberText(column.most) + " " + std::string(column.unit);
