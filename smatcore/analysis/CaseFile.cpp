@@ -29,6 +29,8 @@ using OrderedJson = nlohmann::ordered_json;
 constexpr const char* format = "smat cases 1";
 /// Runs of cases that each part has at least: so that parts take alike, wherever cases are slow.
 constexpr std::size_t runsOfPart = 16;
+/// Of a sweep, and of its parts.
+constexpr double mostCasesOfFile = 1e7;
 
 [[noreturn]] void refuse(const fs::path& file, std::string position, std::string value,
                          std::string expected) {
@@ -132,8 +134,8 @@ void checkHead(const JsonReader& head) {
     for (const char* key : {"part", "parts", "cases"}) {
         const JsonReader number = head.at(key);
         const double value = number.number();
-        if (!(value >= 1.0 && value <= 1e9 && value == std::floor(value)))
-            number.refuse("a whole number from 1 to 1e9");
+        if (!(value >= 1.0 && value <= mostCasesOfFile && value == std::floor(value)))
+            number.refuse("a whole number from 1 to 1e7");
     }
     for (const JsonReader& column : head.at("columns").list()) {
         column.at("name").text();
@@ -145,6 +147,8 @@ void checkHead(const JsonReader& head) {
     }
     if (!head.has("inputs"))
         head.refuse("the files that the cases follow from");
+    for (const auto& [file, hash] : head.at("inputs").members())
+        hash.text();
 }
 
 Read readCases(const fs::path& file) {
@@ -230,9 +234,13 @@ std::optional<Mismatch> mismatchOf(const OrderedJson& oneHead, const OrderedJson
 
 } // namespace
 
-bool CaseShare::has(std::size_t i, std::size_t cases) const {
+std::size_t CaseShare::partOf(std::size_t i, std::size_t cases) const {
     const std::size_t runs = std::min(cases, parts * runsOfPart);
-    return i < cases && (i * runs / cases) % parts == part - 1;
+    return (i * runs / cases) % parts + 1;
+}
+
+bool CaseShare::has(std::size_t i, std::size_t cases) const {
+    return i < cases && partOf(i, cases) == part;
 }
 
 CaseShare CaseShare::fromText(std::string_view text, const std::string& option) {
@@ -326,7 +334,7 @@ std::string CaseFile::recordText(std::size_t i, const CaseRecord& record) {
 std::pair<std::size_t, CaseRecord> CaseFile::recordFrom(const std::string& text,
                                                         const std::string& who) {
     const JsonReader json = caseLineOf(text, who);
-    return {static_cast<std::size_t>(json.at("case").number()), recordOf(json, {})};
+    return {json.at("case").count(static_cast<std::size_t>(mostCasesOfFile)), recordOf(json, {})};
 }
 
 void CaseFile::checkSameSweep(const std::string& head, const std::string& who) const {
@@ -401,7 +409,9 @@ AnalysisData joinedCases(const std::vector<fs::path>& files) {
     });
     CaseWarnings warnings(isOfScenario ? CaseWarnings::Telling::once
                                        : CaseWarnings::Telling::byCase);
-    std::size_t missing = 0, firstMissing = 0;
+    std::size_t missing = 0;
+    const CaseShare share = parts.front().share();
+    std::vector<bool> isOpen(share.parts);
     for (std::size_t i = 0; i < parts.front().cases(); ++i) {
         const CaseRecord* found = nullptr;
         for (const Read& part : parts) {
@@ -415,8 +425,8 @@ AnalysisData joinedCases(const std::vector<fs::path>& files) {
             found = &own->second;
         }
         if (!found) {
-            firstMissing = missing == 0 ? i : firstMissing;
             ++missing;
+            isOpen[share.partOf(i, parts.front().cases()) - 1] = true;
             continue;
         }
         if (!found->row.empty())
@@ -425,19 +435,15 @@ AnalysisData joinedCases(const std::vector<fs::path>& files) {
         warnings.addCase(found->place, found->remarks);
     }
     if (missing > 0) {
-        const std::size_t of = parts.front().share().parts;
+        constexpr std::size_t mostNames = 100;
+        const std::size_t of = share.parts;
         std::string names;
-        for (std::size_t part = 1; part <= of; ++part) {
-            const CaseShare share{part, of};
-            for (std::size_t i = firstMissing; i < parts.front().cases(); ++i) {
-                const bool isThere = std::ranges::any_of(
-                    parts, [&](const Read& read) { return read.records.contains(i); });
-                if (!isThere && share.has(i, parts.front().cases())) {
-                    names += (names.empty() ? "" : ", ") + fmt::format("{}/{}", part, of);
-                    break;
-                }
-            }
-        }
+        std::size_t named = 0;
+        for (std::size_t part = 0; part < of; ++part)
+            if (isOpen[part] && ++named <= mostNames)
+                names += fmt::format("{}{}/{}", named > 1 ? ", " : "", part + 1, of);
+        if (named > mostNames)
+            names += fmt::format(" and {} more", named - mostNames);
         refuse(files.front(), "",
                fmt::format("{} of {} cases without a result", missing, parts.front().cases()),
                "every case once; " +

@@ -20,6 +20,8 @@ struct CaseShare {
     std::size_t part = 1, parts = 1;
 
     bool has(std::size_t i, std::size_t cases) const;
+    /// The part, from 1, that a case below `cases` belongs to.
+    std::size_t partOf(std::size_t i, std::size_t cases) const;
     bool isAll() const { return parts == 1; }
     /// "2/4". Throws InputError naming `option`.
     static CaseShare fromText(std::string_view text, const std::string& option);

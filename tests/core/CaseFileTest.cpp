@@ -161,5 +161,26 @@ TEST(CaseFile, SaysWhichPartsAreMissing) {
     EXPECT_THAT(test::refusalOf([] { CaseShare::fromText("5/4", "--shard"); }), HasSubstr("5/4"));
 }
 
+TEST(CaseFile, DamagedHeadsAreRefusedByWhatIsWrong) {
+    const test::TemporaryFolder folder;
+    const fs::path file = folder / "a.csv.part1of2";
+    const auto refusalOf = [&](const std::string& changed, const std::string& by) {
+        AnalysisData data = asked();
+        data.table.add("range", "m");
+        std::string head = CaseFile::headText(data, 2, {{1, 2}, false, {{"a.sigdb", "00"}}, 0.0});
+        const std::size_t at = head.find(changed);
+        EXPECT_NE(at, head.npos) << changed;
+        writeTextFile(file, head.replace(at, changed.size(), by));
+        return test::refusalOf([&] { joinedCases({file}); });
+    };
+    EXPECT_THAT(refusalOf(R"("a.sigdb":"00")", R"("a.sigdb":7)"), HasSubstr("a.sigdb: found 7"));
+    EXPECT_THAT(refusalOf(R"({"a.sigdb":"00"})", "[]"), HasSubstr("inputs: found []"));
+    EXPECT_THAT(refusalOf(R"("cases":2)", R"("cases":1e8)"), HasSubstr("from 1 to 1e7"));
+    // As many parts as cases: their names are not all told, and nothing takes for ever.
+    const std::string many = refusalOf(R"("parts":2,"cases":2)", R"("parts":1e7,"cases":1e7)");
+    EXPECT_THAT(many, HasSubstr("10000000 of 10000000 cases without a result"));
+    EXPECT_THAT(many, HasSubstr("100/10000000 and 9999900 more"));
+}
+
 } // namespace
 } // namespace smat

@@ -15,8 +15,11 @@
 #include "irsg/atmosphere/engine/Profile.h"
 #include "irsg/core/Errors.h"
 #include "irsg/core/FileReading.h"
+#include "irsg/gas/NarrowBandTable.h"
+#include "irsg/gas/PlumeTable.h"
 #include "irsg/geometry/model/Model.h"
 #include "irsg/geometry/reading/IrCodes.h"
+#include "irsg/geometry/reading/ModelCodes.h"
 #include "irsg/geometry/reading/sandbox/AxesCoding.h"
 #include "irsg/geometry/reading/sandbox/CompletenessCheck.h"
 #include "irsg/geometry/reading/sandbox/DeclaredContents.h"
@@ -235,6 +238,23 @@ const char* const ascent = "altitude [m],pressure [hPa],temperature [K],relative
                            "0,1013,290,50\n1000,900,284,40\n2000,800,278,30\n";
 const char* const materials = "newmtl m\nKd 0.5 0.5 0.5\nKa 1 1 1\nNs 10\nd 0.5\nmap_Kd a.png\n";
 
+const char* const plume = "x [m],r [m],T [K],p [atm],CO2,H2O,soot [ppmv]\n"
+                          "0,0,1200,1,0.1,0.1,0.5\n0,0.5,900,1,0.05,0.1,0.2\n0,1,300,1,0,0.01,0\n"
+                          "2,0,900,1,0.1,0.1,0.5\n2,0.5,600,1,0.05,0.1,0.2\n2,1,290,1,0,0.01,0\n";
+const char* const narrowBands =
+    "# gas: CO2\n# law: goody\n# between temperatures: straight\n# temperatures: 300 600\n"
+    "# source: invented\n"
+    "wavenumber [cm-1],k_300 [cm-1 atm-1],k_600 [cm-1 atm-1],inverse_spacing_300 [cm],"
+    "inverse_spacing_600 [cm]\n2000,0.1,0.2,1,2\n2005,0.1,0.2,1,2\n2010,0.2,0.3,1,2\n";
+
+std::string codesText() {
+    irsg::ModelCodes codes;
+    codes.rules = {{irsg::CodeRule::Of::object, "wing*", {2, 1}},
+                   {irsg::CodeRule::Of::material, "p?int", {{}, 3}}};
+    codes.painted = {{{1, {}}, {{0, 0, 0, 1, 0, 0, 0, 1, 0}}}};
+    return irsg::modelCodesToJson(codes);
+}
+
 } // namespace
 
 std::vector<FuzzedReader> packedReaders() {
@@ -254,6 +274,17 @@ std::vector<FuzzedReader> packedReaders() {
          },
          {},
          {ascent}},
+        {"plume-table",
+         ".csv",
+         [](File f) { irsg::plumeZones(irsg::PlumeTable::read(f), 4); },
+         {},
+         {plume}},
+        {"narrow-band", ".csv", [](File f) { irsg::NarrowBandTable::read(f); }, {}, {narrowBands}},
+        {"model-codes",
+         ".codes.json",
+         [](File f) { irsg::modelCodesFromJson(irsg::readFile(f), "a"); },
+         {},
+         {codesText()}},
         {"mtf",
          ".mtf",
          [](File f) { irsg::describeMtf(f); },

@@ -147,7 +147,9 @@ const std::vector<FuzzedReader>& fuzzedReaders() {
          },
          {},
          {"um,emissivity\n3,0.9\n5,0.8\n", "um,n,k\n3,1.5,0.1\n5,2,0.2\n",
-          "wl,n\n3,4\n5,5\n\nwl,k\n3,29\n5,40\n", "\xEF\xBB\xBFum;emissivity\n3;0,9\n5;0,8\n"}},
+          "wl,n\n3,4\n5,5\n\nwl,k\n3,29\n5,40\n", "\xEF\xBB\xBFum;emissivity\n3;0,9\n5;0,8\n",
+          "Wellenl\xe4nge [\xc5];Reflexionsgrad in %\n30 000;9,5\n50 000;8\n",
+          "longueur d\u2019onde (nm)\tfacteur de r\u00e9flexion\n3\u202f000\t0,9\n5'000\t0,8\n"}},
         {"spectral-library",
          ".txt",
          [](File f) {
@@ -158,7 +160,15 @@ const std::vector<FuzzedReader>& fuzzedReaders() {
           strangers + "material-forms/ecostress.spectrum.txt",
           strangers + "material-forms/jcamp.jdx", strangers + "material-forms/rii.yml",
           strangers + "material-forms/usgs.asc"},
-         {"##TITLE=x\n##XUNITS=1/CM\n##YUNITS=TRANSMITTANCE\n##FIRSTX=2000\n##LASTX=2500\n"
+         {"DATA:\n  - type: formula 1\n    wavelength_range: 0.5 7\n    coefficients: 0 0.7 0.07 "
+          "0.9 9.9\n"
+          "  - type: tabulated k\n    data: |\n        1 0.1\n        5 0.2\n",
+          "DATA:\n  - type: formula 4\n    wavelength_range: 1 5\n    coefficients: 2 3 1 0.5 2 1 "
+          "2 0.3 1 "
+          "0.25 2\n",
+          "DATA:\n  - type: formula 7\n    wavelength_range: 1 5\n    coefficients: 3.4 0.1 -0.1 "
+          "1e-6\n",
+          "##TITLE=x\n##XUNITS=1/CM\n##YUNITS=TRANSMITTANCE\n##FIRSTX=2000\n##LASTX=2500\n"
           "##XYDATA=(X++(Y..Y))\n2000A0K%Tlr\n##END=\n"}},
         {"reflectance-table",
          ".csv",

@@ -5,9 +5,12 @@
 
 #include "irsg/core/FileReading.h"
 #include "irsg/image/ExrFile.h"
+#include "smatcore/analysis/CaseFile.h"
 #include "smatcore/analysis/MonteCarlo.h"
 #include "smatcore/analysis/MonteCarloFile.h"
+#include "smatcore/project/FileCollection.h"
 #include "smatcore/results/ResultFolder.h"
+#include "smatcore/support/PartialFile.h"
 #include "tests/fuzz/Readers.h"
 #include "tests/fuzz/SeedTexts.h"
 
@@ -129,6 +132,36 @@ void readMonteCarlo(File file) {
     loadMonteCarlo(file, realisations);
 }
 
+/// A sweep of two cases, of which one is done.
+AnalysisData sweep() {
+    AnalysisData data = AnalysisData::of({}, AnalysisKind::range);
+    data.table.add("range", "m");
+    data.table.add("intensity", "W sr-1");
+    data.table.provenance.add("analysis", "range");
+    return data;
+}
+
+std::string casesText() {
+    CaseFile::Options options;
+    options.inputs = {{"a.sigdb", "00ff"}};
+    const CaseRecord record{
+        "range 100 m", {100.0, 2.5}, {"transmittance: a"}, {{"far", "a sentence", 1.5}}};
+    return CaseFile::headText(sweep(), 2, options) + CaseFile::recordText(0, record);
+}
+
+/// The same with both cases, as one run leaves it.
+std::string casesOfAllText() {
+    return casesText() + CaseFile::recordText(1, {"range 200 m", {200.0, 1.5}, {}, {}});
+}
+
+void readCases(File file) {
+    joinedCases({file});
+    CaseFile::Options options;
+    options.resumes = true;
+    options.inputs = {{"a.sigdb", "00ff"}};
+    CaseFile(file, options).rehearse(sweep(), 2);
+}
+
 } // namespace
 
 std::vector<FuzzedReader> resultReaders() {
@@ -139,6 +172,17 @@ std::vector<FuzzedReader> resultReaders() {
          {},
          {"# program: smat 1\nrange [m],intensity [W sr-1]\n100,1\n200,2\n"}},
         {"result-json", ".json", [](File f) { ResultTable::load(f); }, {}, {resultJsonText()}},
+        {"cases", ".cases", readCases, {}, {casesText(), casesOfAllText()}},
+        {"partial-result",
+         ".csv",
+         [](File f) { isPartialResult(f); },
+         {},
+         {"# program: smat 1\n# state: partial\nrange [m]\n100\n"}},
+        {"named-files",
+         ".gltf",
+         [](File f) { filesNamedBy(f); },
+         {},
+         {"{\"buffers\": [{\"uri\": \"a.bin\"}, {\"uri\": \"..\\\\b%20c.bin\"}]}\n<a>b.xml</a>\n"}},
         {"monte-carlo", ".json", readMonteCarlo, {}, {Results::all().monteCarlo}, 8192},
         {"result-words", ".result", readWords, {}, Results::all().words, 8192},
     };
