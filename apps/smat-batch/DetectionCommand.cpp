@@ -152,6 +152,7 @@ class DetectionCommand {
         files_.checkWritable();
         if (dryRun_) {
             JobRunner().rehearse(data, request);
+            files_.checkWritable(); // inputs are known by now
             for (const std::string& warning : data.warnings)
                 warn(warning);
             fmt::print("detection: {}\n", description);

@@ -48,17 +48,6 @@ constexpr mode_t ordinary = 0666;
     }
 }
 
-void writeAll(int descriptor, std::string_view bytes, const fs::path& named) {
-    while (!bytes.empty()) {
-        const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
-        if (count < 0 && errno == EINTR)
-            continue;
-        if (count < 0)
-            refuseToWrite(named, errno);
-        bytes.remove_prefix(static_cast<std::size_t>(count));
-    }
-}
-
 void bringFolderToDisk(const fs::path& folder) {
     const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor >= 0) {
@@ -162,6 +151,17 @@ bool isWrittenInPlace(const fs::path& file) {
 }
 
 } // namespace
+
+void writeAll(int descriptor, std::string_view bytes, const fs::path& named) {
+    while (!bytes.empty()) {
+        const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
+        if (count < 0 && errno == EINTR)
+            continue;
+        if (count < 0)
+            refuseToWrite(named, errno);
+        bytes.remove_prefix(static_cast<std::size_t>(count));
+    }
+}
 
 void setWriteGuard(WriteGuard guard) {
     writeGuard() = std::move(guard);

@@ -46,6 +46,9 @@ class FileReplacement {
 /// a pipe) is written as it stands.
 void writeFileDurably(const std::filesystem::path& file, std::string_view bytes);
 
+/// All bytes to an open descriptor, or the InputError of a file `named`.
+void writeAll(int descriptor, std::string_view bytes, const std::filesystem::path& named);
+
 /// Throws the InputError that writeFileDurably(file) would end with, as far as it can be foreseen:
 /// for who works long before writing. Leaves everything as it was.
 void checkWritable(const std::filesystem::path& file);

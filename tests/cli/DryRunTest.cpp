@@ -79,12 +79,15 @@ class Rehearsal : public testing::Test {
 
 /// Each command that can be rehearsed.
 const std::vector<Words>& commands() {
+    static const std::string sensor =
+        std::string(SMAT_SOURCE_DIR) + "/resources/sensors/cooled-mwir.smatsensor";
     static const std::vector<Words> all = {
         {"polar", "p.smat", "--out", "r.csv"},
         {"image", "p.smat", "--out", "r.exr"},
         {"spectrum", "p.smat", "--out", "r.csv"},
         {"run", "p.smat", "--out", "results"},
         {"cost-accuracy", "p.smat", "--repeats", "1", "--out", "r.csv"},
+        {"detection", "p.smat", "--sensor", sensor, "--out", "r.csv"},
         {"simulate", "s.json", "--out", "frames"}};
     return all;
 }
@@ -209,7 +212,8 @@ TEST_F(Rehearsal, RefusesWhatOnlyTheSceneShows) {
     scenario_["entities"][0]["position_m"] = {0, 5000, -50};
     save();
     for (const Words& words : commands()) {
-        if (words.front() != "polar") { // which takes its elevations from the sweep
+        // Those that take their elevations from the sweep see it.
+        if (words.front() != "polar" && words.front() != "detection") {
             expectRefusedAlike(words, "at least 0 m");
         }
     }

@@ -141,6 +141,28 @@ TEST(SmatBatchLimits, OfTheSizeOfFilesAreToldInWords) {
     }
 }
 
+TEST(SmatBatchLimits, AreToldByEveryCommandThatWrites) {
+    const std::string box = sample("box/box").string();
+    const std::string air = std::string(SMAT_SOURCE_DIR) + "/resources/atmospheres/haze-23km.csv";
+    const std::pair<const char*, std::string> rows[] = {
+        {"a.osgt", "convert '" + box + ".flt' a.osgt"},
+        {"a.osgb", "convert '" + box + ".flt' a.osgb"},
+        {"a.ive", "convert '" + box + ".flt' a.ive"},
+        {"p.csv", "polar '" + box + ".smat' --step 5 --width 8 --height 8 --out p.csv"},
+        {"j.json", "db export '" + box + ".sigdb' j.json"},
+        {"r.csv", "radiative '" + air +
+                      "' --quantity transmittance --sensor-altitude 1000 --los-elevation 0 "
+                      "--range 5000 --out r.csv"}};
+    for (const auto& [file, command] : rows) {
+        const TemporaryFolder folder;
+        write(folder / file, "what was there");
+        const Ran ran = shell("ulimit -f 1; $SMAT " + command, folder.path());
+        EXPECT_EQ(ran.exitCode, 2) << file << ran.err;
+        EXPECT_THAT(ran.err, AllOf(HasSubstr(file), HasSubstr("larger than is allowed")));
+        EXPECT_EQ(contentOf(folder / file), "what was there");
+    }
+}
+
 TEST(SmatBatchBounds, NameAHundredDiagnosticsAndHowManyMore) {
     const TemporaryFolder folder;
     fs::copy(sample("flyby"), folder / "flyby");

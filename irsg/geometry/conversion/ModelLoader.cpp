@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "irsg/core/Errors.h"
+#include "irsg/core/FileReplacement.h"
 #include "irsg/core/FoundNames.h"
 #include "irsg/core/Utf8.h"
 #include "irsg/geometry/conversion/CodedGraph.h"
@@ -191,12 +192,7 @@ LoadedGraph loadWritten(const std::string& bytes, const fs::path& name) {
     const int descriptor = memfd_create("model", MFD_CLOEXEC);
     const std::unique_ptr<const int, void (*)(const int*)> closing(&descriptor,
                                                                    [](const int* d) { close(*d); });
-    for (std::string_view rest = bytes; !rest.empty();) {
-        const ssize_t count = write(descriptor, rest.data(), rest.size());
-        if (count <= 0)
-            throw LogicError("there is no memory for a copy of " + name.string());
-        rest.remove_prefix(static_cast<std::size_t>(count));
-    }
+    writeAll(descriptor, bytes, name); // limits of file sizes count in memory as well
     return loadSandboxed("/proc/" + std::to_string(getpid()) + "/fd/" + std::to_string(descriptor),
                          name);
 }

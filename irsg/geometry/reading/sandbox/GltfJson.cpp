@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "irsg/core/Errors.h"
+#include "irsg/core/Utf8.h"
 
 namespace irsg {
 
@@ -27,6 +28,8 @@ GltfJson::GltfJson(const std::filesystem::path& place, const std::filesystem::pa
     std::string bytes = readModelBytes(place, file);
     if (bytes.starts_with("glTF"))
         bytes = textOfBinary(bytes);
+    if (!isUtf8(bytes)) // names in Latin-1; whoever makes the graph says so
+        bytes = utf8Text(bytes);
     root_ = parseJson(bytes, file_.string(), {"a scene of glTF 2.0 (JSON)", 64, false});
     if (!root_.is_object())
         refuse("", shownJson(root_), "an object");
