@@ -43,12 +43,11 @@ double dispersionIndex(int formula, std::span<const double> coefficients, double
     const double l = wavelength_um, l2 = l * l;
     switch (formula) {
     case 1:
-        return std::sqrt(1.0 + c(1) + sumOfPairs(c, [&](double a, double b) {
-                             return a * l2 / (l2 - b * b);
-                         }));
+        return std::sqrt(1.0 + c(1) +
+                         sumOfPairs(c, [&](double a, double b) { return a * l2 / (l2 - b * b); }));
     case 2:
-        return std::sqrt(
-            1.0 + c(1) + sumOfPairs(c, [&](double a, double b) { return a * l2 / (l2 - b); }));
+        return std::sqrt(1.0 + c(1) +
+                         sumOfPairs(c, [&](double a, double b) { return a * l2 / (l2 - b); }));
     case 3:
         return std::sqrt(c(1) +
                          sumOfPairs(c, [&](double a, double b) { return a * std::pow(l, b); }));

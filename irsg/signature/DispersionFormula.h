@@ -4,9 +4,9 @@
 
 namespace irsg {
 
-/// The dispersion formulas of the refractiveindex.info database, which counts them from 1: Sellmeier
-/// (two forms), polynomial, its own, Cauchy, gases, Herzberger, Retro and Exotic (Polyanskiy 2024,
-/// Sci. Data 11, 94, and the database's "Dispersion formulas").
+/// The dispersion formulas of the refractiveindex.info database, which counts them from 1:
+/// Sellmeier (two forms), polynomial, its own, Cauchy, gases, Herzberger, Retro and Exotic
+/// (Polyanskiy 2024, Sci. Data 11, 94, and the database's "Dispersion formulas").
 inline constexpr int dispersionFormulas = 9;
 
 /// How many coefficients formula 1 to 9 may have; fewer are completed by zeros.
