@@ -83,12 +83,20 @@ class GasColumnBasis::Fit {
         for (std::size_t i = 0; i < lines.size(); ++i)
             ((i + 1) % keptOut == 0 ? others_ : lines_).push_back(lines[i]);
         done_ = doneBy(lines_);
+        emissionCounts_ = emissionCounts(gases);
     }
 
     std::size_t places() const { return columns_.wavenumbers_per_cm().size(); }
     const std::vector<GasLine>& lines() const { return lines_; }
     const std::vector<GasLine>& others() const { return others_; }
     const std::vector<std::vector<double>>& done() const { return done_; }
+    /// The same, as errors count.
+    std::vector<double> counted(std::size_t line) const {
+        std::vector<double> done = done_[line];
+        for (std::size_t i = 0; i < places(); ++i)
+            done[i] *= emissionCounts_;
+        return done;
+    }
     double planck(std::size_t gas, std::size_t place) const {
         return planck_[gas][place] / planck_[hottest_][place];
     }
@@ -125,7 +133,8 @@ class GasColumnBasis::Fit {
     std::vector<double> weights() const {
         std::vector<double> weights;
         double largest = 0.0;
-        for (const std::vector<double>& line : done_) {
+        for (std::size_t l = 0; l < done_.size(); ++l) {
+            const std::vector<double> line = counted(l);
             weights.push_back(std::sqrt(square(line.data(), line.size())));
             largest = std::max(largest, weights.back());
         }
@@ -135,10 +144,10 @@ class GasColumnBasis::Fit {
     }
     /// The lines that the others are nearest to weighted sums of, by relative errors.
     std::vector<std::size_t> pivots() const {
-        std::vector<std::vector<double>> rest = done_;
+        std::vector<std::vector<double>> rest;
         const std::vector<double> weights = this->weights();
-        for (std::size_t l = 0; l < rest.size(); ++l)
-            for (double& value : rest[l])
+        for (std::size_t l = 0; l < done_.size(); ++l)
+            for (double& value : rest.emplace_back(counted(l)))
                 value *= weights[l];
         return irsg::pivots(std::move(rest), mostColumns, closest);
     }
@@ -154,7 +163,21 @@ class GasColumnBasis::Fit {
     }
 
   private:
+    /// What emission counts more than transmittance. Cold gas about a hot core emits little of what
+    /// the hottest would, so that an error of a part of 1, of which the background would hardly
+    /// change, is more than all it emits.
+    double emissionCounts(const std::vector<GasLayer>& gases) const {
+        constexpr double most = 30.0;
+        const auto coldest = static_cast<std::size_t>(
+            std::ranges::min_element(gases, {}, &GasLayer::temperature_K) - gases.begin());
+        double logarithms = 0.0;
+        for (std::size_t i = 0; i < places(); ++i)
+            logarithms += std::log(planck(coldest, i));
+        return std::min(most, std::exp(-0.4 * logarithms / static_cast<double>(places())));
+    }
+
     GasColumns columns_;
+    double emissionCounts_ = 1.0;
     std::vector<std::vector<double>> planck_; ///< by gas
     std::vector<double> perWavenumber_;
     std::size_t hottest_ = 0;
@@ -321,9 +344,9 @@ void GasColumnBasis::take(const Fit& fit) {
     const std::size_t values = 2 * fit.places();
     ColumnMatrix ofColumns(values, columns_.size()), ofLines(values, lines.size());
     for (std::size_t k = 0; k < pivots.size(); ++k)
-        std::ranges::copy(fit.done()[pivots[k]], ofColumns.column(k));
+        std::ranges::copy(fit.counted(pivots[k]), ofColumns.column(k));
     for (std::size_t l = 0; l < lines.size(); ++l)
-        std::ranges::copy(fit.done()[l], ofLines.column(l));
+        std::ranges::copy(fit.counted(l), ofLines.column(l));
     constexpr double ridgeOfColumns = 1e-4;
     const ColumnMatrix best = leastSquares(ofColumns, ofLines, ridgeOfColumns);
     ColumnMatrix ofStrengths(lines.size(), 2 * taken.size()), wanted(lines.size(), columns_.size());

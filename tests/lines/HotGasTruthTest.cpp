@@ -6,9 +6,13 @@
 
 #include <gtest/gtest.h>
 
+#include "irsg/atmosphere/AtmosphereSmart.h"
+#include "irsg/atmosphere/Environment.h"
+#include "irsg/atmosphere/engine/Continuum.h"
 #include "irsg/gas/GasSpectrum.h"
 #include "irsg/gas/GasThroughAir.h"
 #include "irsg/radiometry/Planck.h"
+#include "irsg/radiometry/Units.h"
 #include "tests/support/SharedMaterial.h"
 #include "tools/atmosphere-tables/lines/CarbonDioxidePolyads.h"
 #include "tools/atmosphere-tables/lines/CarbonMonoxideLines.h"
@@ -211,6 +215,149 @@ TEST_F(HotGasTruth, SamplesCorrelateAsTheirLines) {
                   << ", samples over line by line " << sampled / truth << "\n";
         EXPECT_NEAR(sampled, truth, 0.05 * truth) << name;
         EXPECT_GT(std::abs(product - truth), std::abs(sampled - truth)) << name;
+    }
+}
+
+/// What a plume of five layers sends through air of a length.
+struct ThroughAir {
+    std::vector<double> truth, correlated, product; ///< by cell, W m-2 sr-1
+};
+
+/// The largest error of what cells `width_per_cm` wide send, of those that carry more than a part
+/// of the band.
+double largestError(const std::vector<double>& values, const std::vector<double>& truth,
+                    const std::vector<GasSpectrum::Cell>& cells, const SpectralRange& band,
+                    double width_per_cm) {
+    constexpr double counts = 0.01;
+    std::map<long, std::pair<double, double>> wide; // value and truth
+    double all = 0.0;
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+        const double um = 1e4 / cells[c].wavenumber_per_cm;
+        if (um < band.min_um || um > band.max_um) {
+            continue;
+        }
+        auto& [value, expected] = wide[std::lround(cells[c].wavenumber_per_cm / width_per_cm)];
+        value += values[c];
+        expected += truth[c];
+        all += truth[c];
+    }
+    double largest = 0.0;
+    for (const auto& [number, of] : wide) {
+        if (of.second > counts * all) {
+            largest = std::max(largest, std::abs(of.first / of.second - 1.0));
+        }
+    }
+    return largest;
+}
+
+TEST_F(HotGasTruth, APlumeOfFiveLayersArrivesAsItsLinesThroughThoseOfTheAir) {
+    // A jet cut through: rim, shoulder, core and back.
+    const std::vector<GasLayer> plume = {
+        layer(350.0, 0.30, 0.005, 0.005), layer(500.0, 0.25, 0.014, 0.014, 5e-4),
+        layer(750.0, 0.50, 0.033, 0.033, 1e-3), layer(500.0, 0.25, 0.014, 0.014, 5e-4),
+        layer(350.0, 0.30, 0.005, 0.005)};
+    const std::vector<SpectralRange> bands = {{3.0, 5.0}, {4.2, 4.5}, {4.4, 4.8}};
+    const SpectralRange whole = bands.front();
+    const WavenumberGrid grid = gridOf(whole, 0.005);
+    const GasRequest request{.layers = plume, .band = whole};
+    const GasSpectrum spectrum = gasSpectrum(request);
+    const std::size_t cells = spectrum.cells.size();
+    std::vector<std::size_t> cellOf(grid.count, cells);
+    std::vector<double> points(cells, 0.0);
+    for (std::size_t i = 0, c = 0; i < grid.count; ++i) {
+        while (c + 1 < cells && grid.at(i) >= spectrum.cells[c].upper_per_cm) {
+            ++c;
+        }
+        cellOf[i] = c;
+        points[c] += 1.0;
+    }
+    const std::vector<LineList> gasesOfAir = completeLineLists(data_);
+    const Fine source = lineByLine(plume, grid);
+    for (const auto& [name, model] :
+         {std::pair("midlatitude summer", 2), std::pair("subarctic winter", 5)}) {
+        AtmosphereSmartParameters parameters;
+        parameters.atmosphereModel = model;
+        parameters.aerosols = 0;
+        const auto atmosphere = std::make_shared<const AtmosphereSmart>(parameters);
+        Environment environment;
+        environment.add(atmosphere);
+        constexpr double altitude_m = 20.0;
+        const AtmosphericState air = *airOfPath(
+            atmosphere.get(),
+            {.sensorAltitude_m = altitude_m, .targetAltitude_m = altitude_m, .range_m = 100.0});
+        // Lines, wings and continua of the air, m-1.
+        std::vector<double> extinction_per_m(grid.count, 0.0);
+        for (const LineList& list : gasesOfAir) {
+            const std::vector<double> k = crossSection_cm2(
+                list, *partition_, grid, air.temperature_K, air.pressure_hPa,
+                air.fraction(list.gas), defaultLineShape(list.gas), negligible_cm2(list.gas));
+            for (std::size_t i = 0; i < grid.count; ++i) {
+                extinction_per_m[i] += k[i] * air.density_per_m3(list.gas) * 1e-4;
+            }
+        }
+        for (std::size_t i = 0; i < grid.count; ++i) {
+            extinction_per_m[i] += continuumAbsorption_per_m(air, grid.at(i));
+        }
+        for (const double range_m : {100.0, 1000.0, 5000.0, 20000.0}) {
+            const Spectrum passes = environment
+                                        .spectrum({.quantity = AtmosphereProperty::transmittance,
+                                                   .path = {.sensorAltitude_m = altitude_m,
+                                                            .targetAltitude_m = altitude_m,
+                                                            .range_m = range_m}},
+                                                  whole)
+                                        .value;
+            const std::vector<LineCorrelation> correlations =
+                lineCorrelations(request, spectrum.cells, air, range_m);
+            ThroughAir sent;
+            sent.truth.assign(cells, 0.0);
+            for (std::size_t i = 0; i < grid.count; ++i) {
+                sent.truth[cellOf[i]] += source.radiance[i] *
+                                         std::exp(-extinction_per_m[i] * range_m) /
+                                         points[cellOf[i]];
+            }
+            for (std::size_t c = 0; c < cells; ++c) {
+                const GasSpectrum::Cell& cell = spectrum.cells[c];
+                const SpectralRange range{wavelengthFromWavenumber_um(cell.upper_per_cm),
+                                          wavelengthFromWavenumber_um(cell.lower_per_cm)};
+                const Spectrum* const factors[] = {&passes};
+                sent.truth[c] *= range.width_um();
+                sent.product.push_back(cell.radiance_W_m2_sr_um * integrateProduct(factors, range));
+                sent.correlated.push_back(sent.product.back() * correlations[c].radiance);
+            }
+            const double bound = range_m > 1000.0 ? 0.05 : 0.03;
+            double inAll = 0.0;
+            for (const SpectralRange& band : bands) {
+                double truth = 0.0, correlated = 0.0, product = 0.0;
+                for (std::size_t c = 0; c < cells; ++c) {
+                    const double um = 1e4 / spectrum.cells[c].wavenumber_per_cm;
+                    if (um >= band.min_um && um <= band.max_um) {
+                        truth += sent.truth[c];
+                        correlated += sent.correlated[c];
+                        product += sent.product[c];
+                    }
+                }
+                const double spike =
+                    largestError(sent.correlated, sent.truth, spectrum.cells, band, 25.0);
+                std::cout << name << ", " << band.min_um << "-" << band.max_um << " um, " << range_m
+                          << " m: " << truth << " W m-2 sr-1, correlated "
+                          << 100.0 * (correlated / truth - 1.0) << " %, product "
+                          << 100.0 * (product / truth - 1.0) << " %, spikes of 25 cm-1 within "
+                          << 100.0 * spike << " %, of products "
+                          << 100.0 *
+                                 largestError(sent.product, sent.truth, spectrum.cells, band, 25.0)
+                          << " %" << std::endl;
+                // The middle of the band of CO2, of which the air leaves next to nothing, is a
+                // matter of wings.
+                constexpr double counts = 0.01;
+                if (&band == &bands.front()) {
+                    inAll = truth;
+                }
+                if (truth > counts * inAll) {
+                    EXPECT_NEAR(correlated / truth, 1.0, bound)
+                        << name << ", " << band.min_um << " um, " << range_m << " m";
+                }
+            }
+        }
     }
 }
 
