@@ -1,17 +1,36 @@
+#include <memory>
+#include <set>
+#include <string>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "apps/smat-batch/Command.h"
 #include "apps/smat-batch/Output.h"
+#include "irsg/core/Errors.h"
 #include "irsg/geometry/model/ModelConverter.h"
+#include "irsg/signature/SignatureFile.h"
 
 namespace smat::batch {
 
 namespace {
 
 struct ConvertOptions {
-    std::string in, out;
+    std::string in, out, zones;
 };
+
+/// Materials of a database that are gas.
+std::set<int> gasesOf(const std::string& database) {
+    std::set<int> gases;
+    for (const auto& [index, material] : irsg::loadSignatureFile(database).database.materials)
+        if (material.isGas())
+            gases.insert(index);
+    if (gases.empty())
+        throw irsg::InputError(
+            {database, "materials", "no gas",
+             "materials with a gasPressure_atm above 0, whose meshes are closed"});
+    return gases;
+}
 
 long total(const std::map<irsg::IrCodes, long>& polygons) {
     long sum = 0;
@@ -24,7 +43,9 @@ int convert(const ConvertOptions& options, Context& context) {
     irsg::ConversionReport report;
     {
         const StageTimer::Scope scope(&context.timer, "convert");
-        report = irsg::convertModel(options.in, options.out);
+        report =
+            irsg::convertModel(options.in, options.out, {},
+                               options.zones.empty() ? std::set<int>() : gasesOf(options.zones));
     }
     if (context.json) {
         nlohmann::ordered_json codes = nlohmann::ordered_json::array();
@@ -35,6 +56,9 @@ int convert(const ConvertOptions& options, Context& context) {
                              {"polygons_read", count},
                              {"polygons_written",
                               written == report.polygonsWritten.end() ? 0 : written->second}});
+            if (const auto added = report.facesThatClose.find(pair);
+                added != report.facesThatClose.end())
+                codes.back()["polygons_that_close"] = added->second;
         }
         fmt::print("{}\n",
                    jsonText(nlohmann::ordered_json{{"in", options.in},
@@ -50,6 +74,9 @@ int convert(const ConvertOptions& options, Context& context) {
                options.in, options.out, report.polygonsWritten.size(),
                total(report.polygonsWritten), report.drawablesWritten, total(report.polygonsRead),
                report.drawablesRead);
+    for (const auto& [pair, count] : report.facesThatClose)
+        fmt::print("  closed: material {} and temperature {}, with {} faces\n", pair.material,
+                   pair.temperature, count);
     for (const std::string& remark : report.remarks)
         fmt::print("  note: {}\n", remark);
     return done;
@@ -63,6 +90,11 @@ void addConvertCommand(CLI::App& app, Context& context) {
     auto options = std::make_shared<ConvertOptions>();
     command->add_option("IN", options->in, "Model to read")->required()->type_name("");
     command->add_option("OUT", options->out, "Model to write")->required()->type_name("");
+    command
+        ->add_option("--zones", options->zones,
+                     "Signature database: meshes of its gas materials are closed where they are "
+                     "open, so that shells become zones of gas")
+        ->type_name("FILE.sigdb");
     command->callback([&context, options] {
         context.work = [&context, options] { return convert(*options, context); };
     });

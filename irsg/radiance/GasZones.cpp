@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "irsg/core/Errors.h"
+#include "irsg/core/JoinedNumbers.h"
 #include "irsg/core/RecentlyUsed.h"
 #include "irsg/radiance/GasCrossing.h"
 
@@ -64,8 +65,9 @@ class PlaceNumbers {
     std::map<Cell, std::vector<int>> cells_;
 };
 
+constexpr double rounding = 1e-6; // of the size
+
 GasZoneShape shapeOf(const Mesh& mesh, const IrCodes& codes) {
-    constexpr double rounding = 1e-6; // of the size
     GasZoneShape shape;
     BoundingBox box = BoundingBox::nowhere();
     double six_m3 = 0.0, radius_m = 0.0;
@@ -98,37 +100,113 @@ GasZoneShape shapeOf(const Mesh& mesh, const IrCodes& codes) {
     return shape;
 }
 
-/// Half the solid angle of the faces as seen from a place: 2 pi inside, 0 outside (A. Van Oosterom
-/// and J. Strackee 1983, IEEE Trans. Biomed. Eng. 30, 125).
-double halfAngleOf_sr(const Mesh& mesh, const IrCodes& codes, const Vec3& place_m) {
-    double half_sr = 0.0;
+using Facets = std::vector<std::array<Vec3, 3>>;
+
+Facets facetsOf(const Mesh& mesh, const IrCodes& codes) {
+    Facets facets;
     forEachFacet(mesh, codes, [&](const std::array<Float3, 3>& facet) {
-        const Vec3 a = toVec3(facet[0]) - place_m, b = toVec3(facet[1]) - place_m,
-                   c = toVec3(facet[2]) - place_m;
+        facets.push_back({toVec3(facet[0]), toVec3(facet[1]), toVec3(facet[2])});
+    });
+    return facets;
+}
+
+/// Half the solid angle of facets as seen from a place: 2 pi inside, 0 outside (A. Van Oosterom
+/// and J. Strackee 1983, IEEE Trans. Biomed. Eng. 30, 125).
+double halfAngleOf_sr(const Facets& facets, const Vec3& place_m) {
+    double half_sr = 0.0;
+    for (const std::array<Vec3, 3>& facet : facets) {
+        const Vec3 a = facet[0] - place_m, b = facet[1] - place_m, c = facet[2] - place_m;
         const double la = length(a), lb = length(b), lc = length(c);
         half_sr += std::atan2(determinant(a, b, c),
                               la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
-    });
+    }
     return half_sr;
 }
 
-/// Whether some corners of one gas are in another and some are not; those on its walls are neither.
-bool isPartlyIn(const Mesh& mesh, const IrCodes& one, const IrCodes& other) {
+/// Where corners of one lie about the other; those on its walls count for neither.
+struct Corners {
+    bool areIn = false, areOut = false;
+};
+Corners cornersOf(const Facets& one, const Facets& other) {
     constexpr std::size_t looks = 32;
     constexpr double clear = 0.1; // of the angle: nearer to a wall is on it
-    std::vector<Vec3> corners_m;
-    forEachFacet(mesh, one, [&](const std::array<Float3, 3>& facet) {
-        corners_m.push_back(toVec3(facet[0]));
-    });
-    bool isIn = false, isOut = false;
-    const std::size_t step = std::max<std::size_t>(corners_m.size() / looks, 1);
-    for (std::size_t i = 0; i < corners_m.size() && !(isIn && isOut); i += step) {
-        const double part =
-            std::abs(halfAngleOf_sr(mesh, other, corners_m[i])) / (2.0 * std::numbers::pi);
-        isIn = isIn || part > 1.0 - clear;
-        isOut = isOut || part < clear;
+    Corners corners;
+    const std::size_t step = std::max<std::size_t>(one.size() / looks, 1);
+    for (std::size_t i = 0; i < one.size() && !(corners.areIn && corners.areOut); i += step) {
+        const double part = std::abs(halfAngleOf_sr(other, one[i][0])) / (2.0 * std::numbers::pi);
+        corners.areIn = corners.areIn || part > 1.0 - clear;
+        corners.areOut = corners.areOut || part < clear;
     }
-    return isIn && isOut;
+    return corners;
+}
+
+/// Above 0 where the facets look outwards.
+double signedVolume_m3(const Facets& facets) {
+    double six_m3 = 0.0;
+    const Vec3 from = facets.front()[0];
+    for (const std::array<Vec3, 3>& facet : facets)
+        six_m3 += determinant(facet[0] - from, facet[1] - from, facet[2] - from);
+    return six_m3 / 6.0;
+}
+
+BoundingBox boxOf(const Facets& facets) {
+    BoundingBox box = BoundingBox::nowhere();
+    for (const std::array<Vec3, 3>& facet : facets)
+        for (const Vec3& corner : facet)
+            box.include(corner);
+    return box;
+}
+
+bool meet(const BoundingBox& one, const BoundingBox& other) {
+    return one.min.x <= other.max.x && other.min.x <= one.max.x && one.min.y <= other.max.y &&
+           other.min.y <= one.max.y && one.min.z <= other.max.z && other.min.z <= one.max.z;
+}
+
+/// Facets that corners join.
+std::vector<Facets> apartOf(const Facets& facets) {
+    if (facets.empty())
+        return {};
+    const BoundingBox box = boxOf(facets);
+    PlaceNumbers numbers(std::max(rounding * box.diagonal_m(), 1e-12));
+    JoinedNumbers joined(3 * facets.size());
+    std::vector<std::uint32_t> firstCorners;
+    for (const std::array<Vec3, 3>& facet : facets) {
+        const auto cornerOf = [&](std::size_t k) {
+            return static_cast<std::uint32_t>(numbers.of(facet[k]));
+        };
+        firstCorners.push_back(cornerOf(0));
+        joined.join(cornerOf(1), cornerOf(0));
+        joined.join(cornerOf(2), cornerOf(0));
+    }
+    std::map<std::uint32_t, Facets> byCorner;
+    for (std::size_t i = 0; i < facets.size(); ++i)
+        byCorner[joined.of(firstCorners[i])].push_back(facets[i]);
+    std::vector<Facets> apart;
+    for (auto& [corner, own] : byCorner)
+        apart.push_back(std::move(own));
+    return apart;
+}
+
+bool doCross(const Mesh& mesh, const IrCodes& one, const IrCodes& other) {
+    if (one != other) {
+        const Corners corners = cornersOf(facetsOf(mesh, one), facetsOf(mesh, other));
+        return corners.areIn && corners.areOut;
+    }
+    // Of one gas those that hold each other are no better, but for a hollow, which looks inwards.
+    const std::vector<Facets> apart = apartOf(facetsOf(mesh, one));
+    std::vector<BoundingBox> boxes;
+    for (const Facets& own : apart)
+        boxes.push_back(boxOf(own));
+    for (std::size_t i = 0; i < apart.size(); ++i)
+        for (std::size_t k = 0; k < apart.size(); ++k) {
+            if (i == k || !meet(boxes[i], boxes[k]))
+                continue;
+            const Corners corners = cornersOf(apart[i], apart[k]);
+            if (corners.areIn && (corners.areOut || (signedVolume_m3(apart[i]) > 0.0) ==
+                                                        (signedVolume_m3(apart[k]) > 0.0)))
+                return true;
+        }
+    return false;
 }
 
 struct KnownCrossing {
@@ -183,7 +261,7 @@ GasZoneShape gasZoneShape(const std::shared_ptr<const Mesh>& mesh, const IrCodes
 }
 
 bool isInGasZone(const Mesh& mesh, const IrCodes& codes, const Vec3& place_m) {
-    return std::abs(halfAngleOf_sr(mesh, codes, place_m)) > std::numbers::pi;
+    return std::abs(halfAngleOf_sr(facetsOf(mesh, codes), place_m)) > std::numbers::pi;
 }
 
 bool doGasZonesCross(const std::shared_ptr<const Mesh>& mesh, const IrCodes& one,
@@ -196,7 +274,7 @@ bool doGasZonesCross(const std::shared_ptr<const Mesh>& mesh, const IrCodes& one
     };
     if (const KnownCrossing* found = known.find(isIt))
         return found->cross;
-    return known.add({mesh, one, other, isPartlyIn(*mesh, one, other)}).cross;
+    return known.add({mesh, one, other, doCross(*mesh, one, other)}).cross;
 }
 
 int gasColumnNumber(const GasColumnKey& column) {

@@ -166,12 +166,16 @@ void nameCrossing(const Entity& entity, const std::vector<IrCodes>& gases,
         return "material " + std::to_string(gas.material) + " and temperature " +
                std::to_string(gas.temperature);
     };
-    for (const IrCodes& one : gases)
+    for (const IrCodes& one : gases) {
+        if (doGasZonesCross(entity.model->mesh(), one, one))
+            appendUnique(warnings, {"meshes of the gas of " + wordsOf(one) + " of '" + entity.name +
+                                    "' cross or hold each other: where two are, none counts"});
         for (const IrCodes& other : gases)
             if (one != other && doGasZonesCross(entity.model->mesh(), one, other))
                 appendUnique(warnings, {"the gas of " + wordsOf(one) + " of '" + entity.name +
                                         "' crosses that of " + wordsOf(other) +
                                         ": where both are, that of the smaller volume counts"});
+    }
 }
 
 /// The air whose lines coincide with those of the entity's gases.

@@ -37,7 +37,7 @@ std::string faces(int count) {
 }
 
 /// A gas fills closed meshes, and its tables reach what it holds at its temperature.
-void checkGases(const Entity& entity, const ObjectGeometry& geometry, double ambient_K,
+void checkGases(const Entity& entity, const std::vector<EntityState>& states,
                 std::vector<Diagnostic>& diagnostics) {
     for (const auto& [codes, use] : entity.model->codes()) {
         const Material* material = materialEntry(entity, codes.material);
@@ -53,12 +53,19 @@ void checkGases(const Entity& entity, const ObjectGeometry& geometry, double amb
                                    "a temperature of eq. 7: a gas has no spectrum of its own"});
             continue;
         }
-        GasLayer gas =
-            gasOf(*material, surfaceInput(entity, codes, geometry, ambient_K).temperature_K);
-        gas.length_m = 1.0;
-        for (Diagnostic& one : gasLayerDiagnostics(gas, entity.name)) {
-            one.position = place + ", " + one.position;
-            diagnostics.push_back(std::move(one));
+        // The present state, then the others of a sweep: the first that is out of reach.
+        for (const EntityState& state : states) {
+            GasLayer gas = gasOf(*material, surfaceTemperature_K(entity, codes.temperature, state));
+            gas.length_m = 1.0;
+            auto wrong = gasLayerDiagnostics(gas, entity.name);
+            if (wrong.empty())
+                continue;
+            for (Diagnostic& one : wrong) {
+                one.position = place + " at time " + roundedText(state.time_s) + " s and power " +
+                               roundedText(state.power) + ", " + one.position;
+                diagnostics.push_back(std::move(one));
+            }
+            break;
         }
         const GasZoneShape shape = gasZoneShape(entity.model->mesh(), codes);
         if (shape.openEdges > 0)
@@ -144,7 +151,7 @@ void checkEntity(const Entity& entity, const ObjectGeometry& geometry, double am
         }
         checkTemperature(entity, index, place, states, diagnostics);
     }
-    checkGases(entity, geometry, ambient_K, diagnostics);
+    checkGases(entity, states, diagnostics);
     for (const auto& [index, material] : materials) {
         if (material->isGas())
             continue;

@@ -2,9 +2,13 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <fstream>
+#include <numbers>
 #include <string>
 
+#include "irsg/signature/SignatureFile.h"
+#include "smatcore/data/ResultTable.h"
 #include "tests/cli/Program.h"
 #include "tests/support/TemporaryFolder.h"
 
@@ -126,6 +130,86 @@ TEST(SmatBatch, ConvertKeepsCodesThroughEveryFormat) {
         EXPECT_EQ(ran.exitCode, 0) << ran.err;
         EXPECT_EQ(codesOf(folder / name), original) << name;
     }
+}
+
+/// A tube about z of 12 sides and 2 m, open at its low end if `isOpen`, with every part turned to
+/// the inside from `turned` on.
+void writeTube(const std::filesystem::path& file, bool isOpen, int turned = 12) {
+    std::ofstream out(file);
+    for (int side = 0; side < 12; ++side) {
+        const double angle = side * std::numbers::pi / 6.0;
+        out << "v " << std::cos(angle) << " " << std::sin(angle) << " 0\nv " << std::cos(angle)
+            << " " << std::sin(angle) << " 2\n";
+    }
+    out << "v 0 0 0\nv 0 0 2\nusemtl tube\n";
+    for (int side = 0; side < 12; ++side) {
+        const int low = 2 * side + 1, nextLow = 2 * ((side + 1) % 12) + 1;
+        if (side < turned) {
+            out << "f " << low << " " << nextLow << " " << nextLow + 1 << " " << low + 1 << "\n";
+        } else {
+            out << "f " << low + 1 << " " << nextLow + 1 << " " << nextLow << " " << low << "\n";
+        }
+        out << "f 26 " << low + 1 << " " << nextLow + 1 << "\n";
+        if (!isOpen) {
+            out << "f 25 " << nextLow << " " << low << "\n";
+        }
+    }
+    std::filesystem::path codes = file;
+    codes.replace_extension(".codes.json");
+    std::ofstream(codes) << R"({"format": "smat-codes", "version": 1, "rules":
+        [{"material": "tube", "temperatureIndex": 1, "materialIndex": 1}]})";
+}
+
+TEST(SmatBatch, ConvertClosesShellsThatBecomeZonesOfGas) {
+    const TemporaryFolder folder;
+    writeTube(folder / "closed.obj", false);
+    writeTube(folder / "open.obj", true);
+    writeTube(folder / "turned.obj", true, 11);
+    irsg::SignatureDatabase database;
+    database.temperatures[1].name = "gas";
+    database.temperatures[1].terms.base_K = 800.0;
+    database.materials[1].name = "exhaust";
+    database.materials[1].gasPressure_atm = 1.0;
+    database.materials[1].gasCO2 = database.materials[1].gasH2O = 0.05;
+    irsg::saveSignatureFile(database, folder / "gas.sigdb");
+    const auto seen = [&](const std::string& model) {
+        return smatBatch(
+            {"polar",        model,      "--database",  "gas.sigdb", "--band",       "4.4-4.6",
+             "--from",       "60",       "--to",        "180",       "--step",       "60",
+             "--range",      "50",       "--elevation", "30",        "--background", "none",
+             "--atmosphere", "none",     "--bounces",   "0",         "--sun",        "off",
+             "--out",        "polar.csv"},
+            folder.path());
+    };
+    EXPECT_THAT(seen("open.obj").err, HasSubstr("12 edges of an open mesh"));
+    const Ran ran =
+        smatBatch({"convert", "open.obj", "zone.osgb", "--zones", "gas.sigdb"}, folder.path());
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    EXPECT_THAT(ran.out, HasSubstr("material 1 and temperature 1, with 12 faces"));
+    const auto intensities = [&](const std::string& model) {
+        const Ran polar = seen(model);
+        EXPECT_EQ(polar.exitCode, 0) << polar.err;
+        return ResultTable::load(folder / "polar.csv").find("intensity")->values;
+    };
+    const auto whole = intensities("closed.obj"), zone = intensities("zone.osgb");
+    ASSERT_EQ(zone.size(), whole.size());
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+        EXPECT_GT(whole[i], 0.0);
+        EXPECT_NEAR(zone[i] / whole[i], 1.0, 1e-3) << "its end is a flat cone";
+    }
+    // What cannot be closed, and a database that has no gas.
+    const Ran turned =
+        smatBatch({"convert", "turned.obj", "none.osgb", "--zones", "gas.sigdb"}, folder.path());
+    EXPECT_EQ(turned.exitCode, 2);
+    EXPECT_THAT(turned.err, HasSubstr("turned over"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "none.osgb"));
+    database.materials[1].gasPressure_atm = 0.0;
+    irsg::saveSignatureFile(database, folder / "solid.sigdb");
+    const Ran solid =
+        smatBatch({"convert", "open.obj", "no.osgb", "--zones", "solid.sigdb"}, folder.path());
+    EXPECT_EQ(solid.exitCode, 2);
+    EXPECT_THAT(solid.err, HasSubstr("no gas"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "no.osgb"));
 }
 
 TEST(SmatBatch, DatabasesGoThroughJsonUnchanged) {

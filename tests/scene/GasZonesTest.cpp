@@ -431,8 +431,8 @@ TEST(GasZones, ArriveThroughAirWithTheCoincidenceOfLines) {
 }
 
 TEST(GasZones, ThatCrossEachOtherAreNamed) {
-    const auto warningsOf = [](double apart_m) {
-        Triangles other = sphereMesh(0.5, 24, 48, warm);
+    const auto warningsOf = [](double apart_m, const IrCodes& codes = warm) {
+        Triangles other = sphereMesh(0.5, 24, 48, codes);
         for (Triangle& triangle : other) {
             for (Vec3& corner : triangle.vertex) {
                 corner.y += apart_m;
@@ -451,6 +451,12 @@ TEST(GasZones, ThatCrossEachOtherAreNamed) {
     EXPECT_EQ(warningsOf(3.0), "") << "they are apart";
     EXPECT_NE(warningsOf(1.0).find("crosses that of material 1 and temperature 1"),
               std::string::npos);
+    // Of one gas, too: the plumes of two engines, where they meet.
+    EXPECT_EQ(warningsOf(3.0, hot), "") << "they are apart";
+    EXPECT_NE(warningsOf(1.0, hot).find("material 1 and temperature 1 of"), std::string::npos)
+        << warningsOf(1.0, hot);
+    EXPECT_NE(warningsOf(1.0, hot).find("cross or hold each other"), std::string::npos);
+    EXPECT_NE(warningsOf(0.0, hot).find("cross or hold each other"), std::string::npos);
 }
 
 TEST(GasZones, ThatAreOpenOrOutOfReachAreRefusedByName) {
@@ -470,6 +476,21 @@ TEST(GasZones, ThatAreOpenOrOutOfReachAreRefusedByName) {
     EXPECT_NE(refusal(open, gases()).find("material index 1"), std::string::npos);
     const Triangles closed = sphereMesh(1.0, 8, 16, hot);
     EXPECT_NE(refusal(closed, gases(3500.0)).find("T_K"), std::string::npos);
+    // In a state that a sweep comes to, too.
+    SignatureDatabase heated = gases();
+    heated.temperatures[1].terms.time = LookupTable({0.0, 10.0}, {0.0, 3000.0});
+    InteractiveRenderer later = sceneOf(closed, heated, EngineChoice::opengl, farView());
+    later.check();
+    later.scene.entities[0].otherStates = {later.scene.entities[0].state};
+    later.scene.entities[0].otherStates[0].time_s = 10.0;
+    try {
+        later.check();
+        ADD_FAILURE() << "4000 K";
+    } catch (const InputError& error) {
+        for (const char* named : {"material index 1", "at time 10 s", "T_K", "4000"}) {
+            EXPECT_NE(std::string(error.what()).find(named), std::string::npos) << error.what();
+        }
+    }
     SignatureDatabase full = gases();
     full.materials[1].gasCO2 = 0.95;
     EXPECT_NE(refusal(closed, full).find("1.05"), std::string::npos);

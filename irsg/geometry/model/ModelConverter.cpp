@@ -10,6 +10,7 @@
 
 #include "irsg/core/Errors.h"
 #include "irsg/core/FileReplacement.h"
+#include "irsg/geometry/conversion/ClosedZones.h"
 #include "irsg/geometry/conversion/CodeSafeMerge.h"
 #include "irsg/geometry/conversion/GeometryCollector.h"
 #include "irsg/geometry/conversion/ModelLoader.h"
@@ -137,8 +138,8 @@ std::string bytesOf(const osg::Node& graph, const fs::path& out, const std::stri
 
 } // namespace
 
-ConversionReport convertModel(const fs::path& in, const fs::path& out,
-                              const std::stop_token& stop) {
+ConversionReport convertModel(const fs::path& in, const fs::path& out, const std::stop_token& stop,
+                              const std::set<int>& closed) {
     const auto extension = checkedExtension(in, out);
     auto loaded = loadGraph(in, LoadPurpose::visible);
     if (stop.stop_requested())
@@ -152,6 +153,13 @@ ConversionReport convertModel(const fs::path& in, const fs::path& out,
     report.polygonsRead = polygonCounts(*graph);
     if (report.polygonsRead.empty())
         refuseWithoutFaces(in.string(), report.remarks);
+    if (!closed.empty()) {
+        osg::ref_ptr<osg::Group> whole = new osg::Group;
+        whole->addChild(loaded.node);
+        report.facesThatClose = closeMeshes(*whole, closed, in.string());
+        if (!report.facesThatClose.empty())
+            graph->setChild(0, whole);
+    }
     const auto areasRead = areas(*graph, in.string());
     int misfits = 0;
     const auto counts = mergeKeepingCodes(*graph, flight, misfits);

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -16,6 +17,7 @@ struct ConversionReport {
     /// ones included. Where they differ, concave polygons were cut into triangles.
     std::map<IrCodes, long> polygonsRead, polygonsWritten;
     int drawablesRead = 0, drawablesWritten = 0;
+    std::map<IrCodes, long> facesThatClose; ///< see `closed` of convertModel()
     std::vector<std::string> remarks;
 };
 
@@ -28,8 +30,9 @@ struct ConversionReport {
 /// of the extent of all, an InputError is thrown. Throws InputError
 /// for an input that cannot be read, a kind of output that loses codes and a place that cannot be
 /// written. A stop that is asked for before the end leaves `out` as it was and gives an empty
-/// report.
+/// report. Meshes of the materials `closed` get faces where they are open, so that shells about gas
+/// are zones; InputError where that cannot be done.
 ConversionReport convertModel(const std::filesystem::path& in, const std::filesystem::path& out,
-                              const std::stop_token& stop = {});
+                              const std::stop_token& stop = {}, const std::set<int>& closed = {});
 
 } // namespace irsg
