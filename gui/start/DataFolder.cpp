@@ -18,6 +18,8 @@ struct Named {
 constexpr std::array known{
     Named{"heron", QT_TRANSLATE_NOOP("Samples", "Patrol aircraft"),
           QT_TRANSLATE_NOOP("Samples", "A twin turboprop low over the sea")},
+    Named{"tern", QT_TRANSLATE_NOOP("Samples", "Twin jet"),
+          QT_TRANSLATE_NOOP("Samples", "Two engines with and without reheat, their gas in zones")},
     Named{"corvette", QT_TRANSLATE_NOOP("Samples", "Corvette"),
           QT_TRANSLATE_NOOP("Samples", "A warship with hot funnels and their plumes")},
     Named{"turboprop4", QT_TRANSLATE_NOOP("Samples", "Transport aircraft"),

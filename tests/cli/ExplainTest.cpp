@@ -153,7 +153,7 @@ TEST_P(PixelsOfSamples, AreWhatIsDrawn) {
 INSTANTIATE_TEST_SUITE_P(Samples, PixelsOfSamples,
                          testing::Values("box/box.smat", "chessboard/chessboard.smat",
                                          "corvette/corvette.smat", "heron/heron.smat",
-                                         "ship/ship.smat", "sphere/sphere.smat",
+                                         "ship/ship.smat", "sphere/sphere.smat", "tern/tern.smat",
                                          "turboprop4/turboprop4.smat", "valley/valley.smat"),
                          [](const auto& one) {
                              const std::string file = one.param;

@@ -1,5 +1,5 @@
 // smat-samples [FOLDER] writes what this project makes of formulas: the models of sphere, box,
-// heron, corvette and helicopter, the sea, and the sky and the terrain of the valley into
+// heron, tern, corvette and helicopter, the sea, and the sky and the terrain of the valley into
 // FOLDER/samples, the plate of the tests into FOLDER/tests/data/models. FOLDER is the present one.
 
 #include <iostream>
@@ -10,6 +10,7 @@
 #include "tools/samples/SampleHeron.h"
 #include "tools/samples/SampleModels.h"
 #include "tools/samples/SampleSea.h"
+#include "tools/samples/SampleTern.h"
 #include "tools/samples/SampleValley.h"
 
 namespace {
@@ -33,6 +34,8 @@ int main(int argc, char** argv) {
         write(smat::sphereModel(rings, segments), folder / "samples/sphere/sphere.flt");
         write(smat::boxModel(), folder / "samples/box/box.flt");
         write(smat::heronModel(), folder / "samples/heron/heron.flt");
+        write(smat::ternModel(false), folder / "samples/tern/tern.flt");
+        write(smat::ternModel(true), folder / "samples/tern/tern-reheat.flt");
         write(smat::corvetteModel(), folder / "samples/corvette/corvette.flt");
         const std::filesystem::path sea = folder / "samples/corvette";
         std::cout << "writes " << (sea / "sea.osgb").string() << std::endl;
