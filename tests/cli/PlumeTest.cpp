@@ -1,6 +1,7 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <iostream>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -63,7 +64,7 @@ class DensePlume {
 
     /// Along parallel lines of sight by so many degrees to the axis, from behind.
     double intensity_W_sr(double angle_deg, const irsg::SpectralRange& band) const {
-        constexpr int rows = 36, columns = 16, steps = 90;
+        constexpr int rows = 36, columns = 32, steps = 120;
         const double sine = std::sin(irsg::radians(angle_deg));
         const double cosine = std::cos(irsg::radians(angle_deg));
         double sum = 0.0;
@@ -73,12 +74,11 @@ class DensePlume {
                 const double t = (row + 0.5) / rows;
                 for (int column = 0; column < columns; ++column) {
                     const double s = (column + 0.5) / columns;
-                    const double area_m2 =
-                        std::abs(end_m) * 2.0 * t / rows * radius_m * 2.0 * s / columns;
+                    const double area_m2 = std::abs(end_m) * 2.0 * t / rows * radius_m / columns;
                     if (area_m2 > 1e-9) {
-                        sum += 2.0 * area_m2 *
-                               radianceAlong(end_m * t * t, radius_m * s * s, sine, cosine, steps,
-                                             band);
+                        sum +=
+                            2.0 * area_m2 *
+                            radianceAlong(end_m * t * t, radius_m * s, sine, cosine, steps, band);
                     }
                 }
             }
@@ -249,8 +249,10 @@ TEST_F(SmatBatchPlume, IsSeenAsADenseIntegrationFromThreeSides) {
     std::size_t view = 0;
     for (const double angle_deg : {90.0, 45.0, 10.0}) {
         const double dense = plume.intensity_W_sr(angle_deg, {4.4, 4.6});
-        // 0.975 to 0.977 from all sides: zones leave 0.55 % of it.
-        EXPECT_NEAR(seen[view++] / dense, 1.0, 0.03) << angle_deg << " degrees to the axis";
+        // Zones leave 0.55 % of it, and this integration 0.3 %.
+        std::cout << angle_deg << " degrees to the axis: " << seen[view] / dense
+                  << " of the dense integration\n";
+        EXPECT_NEAR(seen[view++] / dense, 1.0, 0.02) << angle_deg << " degrees to the axis";
     }
 }
 
