@@ -150,10 +150,12 @@ class DetectionCommand {
                          withFixedSteps(kindOf(request.cases), data.settings))
                 .description;
         files_.checkWritable();
+        JobRunner runner;
+        AnalysisData rehearsed = data;
+        runner.rehearse(rehearsed, request);
+        files_.checkWritable(); // inputs are known by now
         if (dryRun_) {
-            JobRunner().rehearse(data, request);
-            files_.checkWritable(); // inputs are known by now
-            for (const std::string& warning : data.warnings)
+            for (const std::string& warning : rehearsed.warnings)
                 warn(warning);
             fmt::print("detection: {}\n", description);
             return done;
@@ -161,7 +163,7 @@ class DetectionCommand {
         catchStopSignal();
         {
             const StageTimer::Scope scope(&context.timer, "search");
-            JobRunner().run(data, request, RunControl(context));
+            runner.run(data, request, RunControl(context));
         }
         for (const std::string& warning : data.warnings)
             warn(warning);

@@ -197,7 +197,11 @@ void PolarPlot::setRadiusAxis() {
         low = centre_dB;
     } else {
         const auto all = rangeWithErrors(drawn_, false);
-        low = all ? std::min(all->minimum, 0.0) : 0.0;
+        // Bands of errors alone do not move the middle below 0.
+        const bool isAnyNegative = std::ranges::any_of(drawn_, [](const Curve& curve) {
+            return std::ranges::any_of(curve.y, [](double y) { return y < 0.0; });
+        });
+        low = all && isAnyNegative ? std::min(all->minimum, 0.0) : 0.0;
         high = all ? std::max(all->maximum, 0.0) : 1.0;
         if (!(high > low))
             high = low + 1.0;

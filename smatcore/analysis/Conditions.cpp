@@ -8,6 +8,8 @@
 
 #include "irsg/core/Errors.h"
 #include "irsg/core/Quantity.h"
+#include "smatcore/analysis/DetectionRequest.h"
+#include "smatcore/analysis/ResultFile.h"
 #include "smatcore/analysis/SettingWords.h"
 #include "smatcore/settings/SettingKeys.h"
 
@@ -57,9 +59,27 @@ std::optional<Condition> conditionOf(const NumberCondition& which, const Setting
     return Condition{which.key, settingWords(said, which.key)};
 }
 
+/// The sensor of a search for ranges and what it takes to see something; none of other results.
+std::vector<Condition> conditionsOfDetection(const ResultTable* table) {
+    if (table == nullptr || resultKindOf(table->provenance) != detectionKind())
+        return {};
+    const auto said = [&](const char* key) { return table->provenance.value(key); };
+    const std::string criterion = said("detection.criterion");
+    return {{"detection.sensor", said("detection.sensor")},
+            {"detection.criterion", said("detection.cycles").empty()
+                                        ? "signal to noise ratio " + said("detection.snr")
+                                        : criterion + ", " + said("detection.cycles") + " cycles"}};
+}
+
 std::vector<Condition> conditions(const Settings& settings, const ResultTable* table) {
-    std::vector<Condition> list{{key::sensorBand, bandOf(settings)}};
+    // Band and range of the project are not those of such a search.
+    std::vector<Condition> list = conditionsOfDetection(table);
+    const bool isDetection = !list.empty();
+    if (!isDetection)
+        list.push_back({key::sensorBand, bandOf(settings)});
     const auto add = [&](const NumberCondition& which) {
+        if (isDetection && which.quantity == Quantity::range)
+            return;
         if (auto one = conditionOf(which, settings, table))
             list.push_back(std::move(*one));
     };

@@ -17,7 +17,8 @@ struct Condition {
 
 /// Band, range, aspect, altitude, air and time of a view with these settings.
 std::vector<Condition> conditionsOf(const Settings& settings);
-/// The same of a result, by its provenance, so that one that was opened from a file has them, too.
+/// The same of a result, by its provenance, so that one that was opened from a file has them, too;
+/// of a search for ranges its sensor and criterion in place of band and range.
 /// What it varies is left out; a result without provenance has none, one of a tool that asks the
 /// air alone (radiative output, temperature profile) that air.
 std::vector<Condition> conditionsOf(const ResultTable& table);

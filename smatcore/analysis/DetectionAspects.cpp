@@ -119,10 +119,9 @@ AspectRange RangeSearch::find(TargetAspect& aspect) {
     const TargetLook& look = one.look;
     if (found.found == Found::atRange) {
         one.error_m = request_.limits.tolerance * found.range_m;
-        if (found.slope != 0.0 && look.counted_W_m2 != 0.0)
-            one.error_m = std::hypot(
-                one.error_m, std::hypot(look.error_W_m2 / look.counted_W_m2, look.noiseError) *
-                                 found.range_m / found.slope);
+        if (found.slope != 0.0)
+            one.error_m =
+                std::hypot(one.error_m, sight_.relativeError(look) * found.range_m / found.slope);
     }
     one.extent = std::sqrt(std::max(0.0, look.solidAngle_sr)) / request_.sensor.pixelAngle_rad();
     one.isResolved = !sight_.isOfCycles() && found.found != Found::nowhere && one.extent > 1.0;

@@ -71,6 +71,25 @@ void TargetSight::see(TargetLook& look) {
         std::sqrt(look.solidAngle_sr);
 }
 
+double TargetSight::relativeError(const TargetLook& look) {
+    const double value = reached(look);
+    if (value == 0.0 || look.counted_W_m2 == 0.0)
+        return 0.0;
+    if (!isOfCycles())
+        return std::hypot(look.error_W_m2 / look.counted_W_m2, look.noiseError);
+    const auto reachedWith = [&](double contrast_W_m2) {
+        TargetLook other = look;
+        other.counted_W_m2 = std::max(0.0, contrast_W_m2);
+        see(other);
+        return reached(other);
+    };
+    const double contrast_W_m2 = std::abs(look.counted_W_m2);
+    return 0.5 *
+           (reachedWith(contrast_W_m2 + look.error_W_m2) -
+            reachedWith(contrast_W_m2 - look.error_W_m2)) /
+           value;
+}
+
 double TargetSight::wanted() const {
     if (isOfCycles())
         return irsg::taskCycles(request_.task.probability, request_.task.cyclesOfHalf,

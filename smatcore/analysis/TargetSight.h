@@ -48,6 +48,10 @@ class TargetSight {
     /// probability that noise alone exceeds.
     double wanted() const;
     double reached(const TargetLook& look) const { return isOfCycles() ? look.cycles : look.snr(); }
+    /// The relative error of that at two standard deviations, by those of contrast and noise: half
+    /// of the difference between what a contrast that is larger by its error reaches and one that
+    /// is smaller.
+    double relativeError(const TargetLook& look);
     /// Of the task, or that the signal of a point with its noise passes the threshold.
     double probability(const TargetLook& look) const;
 

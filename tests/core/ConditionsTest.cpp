@@ -7,6 +7,7 @@
 #include "irsg/core/Errors.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/AnalysisPlan.h"
+#include "smatcore/analysis/DetectionRequest.h"
 #include "smatcore/analysis/SettingWords.h"
 
 namespace smat {
@@ -52,6 +53,24 @@ TEST(ConditionsTest, OfAResultLeaveOutWhatItVaries) {
     EXPECT_EQ(lineOf(conditionsOf(table)),
               "8-12 µm · range 2000 m · elevation 12° · altitude 1000 m · vacuum · time 0 s");
     EXPECT_TRUE(conditionsOf(ResultTable()).empty()) << "nothing is known of it";
+}
+
+TEST(ConditionsTest, OfASearchForRangesHaveItsSensorInPlaceOfBandAndRange) {
+    ResultTable table = polar({{"sensor.band", "8-12 um"},
+                               {"camera.range", "2000 m"},
+                               {"detection.sensor", "a seeker"},
+                               {"detection.criterion", "point"},
+                               {"detection.snr", "5"}});
+    for (auto& [key, value] : table.provenance.entries) {
+        if (key == "analysis") {
+            value = name(detectionKind());
+        }
+    }
+    EXPECT_EQ(lineOf(conditionsOf(table)),
+              "a seeker · signal to noise ratio 5 · elevation 12° · altitude 1000 m · vacuum · "
+              "time 0 s");
+    table.provenance.add("detection.cycles", "3");
+    EXPECT_EQ(lineOf(conditionsOf(table)).find("a seeker · point, 3 cycles · "), 0U);
 }
 
 TEST(ConditionsTest, OfAToolThatAsksTheAirAloneAreThatAir) {

@@ -107,6 +107,20 @@ TEST_F(PolarPlotTest, APointThatWarnsOfSomethingIsHollow) {
     EXPECT_FALSE(plot.readoutAt(plot.canvasPoint(49.0, 50.0)).contains("warning"));
 }
 
+TEST_F(PolarPlotTest, ErrorsLargerThanValuesLeaveZeroInTheMiddle) {
+    PolarData data = camera({rose("a", 100.0)});
+    data.curves[0].error.assign(data.curves[0].y.size(), 1.0);
+    data.curves[0].error[3] = 400.0;
+    plot.setData(data);
+    showIt();
+    const QPointF middle = plot.plotRect().center();
+    EXPECT_NEAR(plot.canvasPoint(30.0, 0.0).x(), middle.x(), 0.01);
+    EXPECT_NEAR(plot.canvasPoint(30.0, 0.0).y(), middle.y(), 0.01);
+    data.curves[0].y[3] = -50.0;
+    plot.setData(data);
+    EXPECT_GT(middle.y() - plot.canvasPoint(0.0, 0.0).y(), 1.0) << "values below 0 need room";
+}
+
 TEST_F(PolarPlotTest, ClosesACurveThatGoesRound) {
     plot.setData(camera({rose("a", 100.0)}));
     showIt();
