@@ -19,7 +19,7 @@ class ViewScreenshotTest : public test::ViewFixture {
 };
 
 TEST_F(ViewScreenshotTest, EveryDisplayInBothThemes) {
-    for (const std::string name : {"turboprop4", "ship", "sphere", "heron", "corvette", "tern"}) {
+    for (const std::string name : {"turboprop4", "ship", "sphere", "heron", "corvette"}) {
         const auto folder = std::filesystem::path(SMAT_SOURCE_DIR) / "samples" / name;
         Project shown = loadProject(folder / (name + ".smat"));
         shown.settings.set("render.lightError", "0.02");
