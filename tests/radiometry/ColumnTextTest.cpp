@@ -119,31 +119,31 @@ TEST(ColumnText, TakesDigitsInGroupsOfThree) {
     const ColumnDialect german{';', ','}, english{'\t', '.'}, plain{',', '.'}, blanks{' ', '.'};
     const struct {
         const char* text;
-        ColumnDialect dialect;
         const char* number; ///< null: none
+        ColumnDialect dialect;
         bool isQuoted = false;
     } rows[] = {
-        {"1 234,5", german, "1234.5"},
-        {"-12 345 678", german, "-12345678"},
-        {"\u22121\u202f234,5e2", german, "-1234.5e2"},
-        {"1\u00a0234", german, "1234"},
-        {"1'234.5", english, "1234.5"},
-        {"1\u2019234\u2019567", plain, "1234567"},
-        {"1.234.567,5", german, "1234567.5"},
-        {"1,234.5", english, "1234.5"},
-        {"1 234.5", plain, nullptr},
-        {"1 234.5", plain, "1234.5", true},
-        {"1 234.5", blanks, nullptr},
-        {"1.234", german, nullptr}, // or one and a bit
-        {"1,234", english, nullptr},
-        {"12 34", german, nullptr},
-        {"1234 567", german, nullptr},
-        {"1 234'567", german, nullptr},
-        {"1 2345", german, nullptr},
-        {"1  234", german, nullptr},
-        {"1,5 234", german, nullptr},
-        {" 234", german, "234"},
-        {"' 234", german, nullptr},
+        {"1 234,5", "1234.5", german},
+        {"-12 345 678", "-12345678", german},
+        {"\u22121\u202f234,5e2", "-1234.5e2", german},
+        {"1\u00a0234", "1234", german},
+        {"1'234.5", "1234.5", english},
+        {"1\u2019234\u2019567", "1234567", plain},
+        {"1.234.567,5", "1234567.5", german},
+        {"1,234.5", "1234.5", english},
+        {"1 234.5", nullptr, plain},
+        {"1 234.5", "1234.5", plain, true},
+        {"1 234.5", nullptr, blanks},
+        {"1.234", nullptr, german}, // or one and a bit
+        {"1,234", nullptr, english},
+        {"12 34", nullptr, german},
+        {"1234 567", nullptr, german},
+        {"1 234'567", nullptr, german},
+        {"1 2345", nullptr, german},
+        {"1  234", nullptr, german},
+        {"1,5 234", nullptr, german},
+        {" 234", "234", german},
+        {"' 234", nullptr, german},
     };
     for (const auto& row : rows) {
         const ColumnCell cell{row.text, {}, row.isQuoted};

@@ -189,7 +189,8 @@ TEST(MaterialCsv, FormulasOfRefractiveIndicesAreReadAsCurves) {
     EXPECT_NEAR(material.refractiveIndex.at(10.6), 2.4028, 2e-4);
     EXPECT_EQ(material.extinction.at(10.6), 0.0);
     // Straight pieces follow the formula.
-    for (double wavelength_um = 0.54; wavelength_um < 18.2; wavelength_um += 0.0137) {
+    for (int i = 0; i < 1289; ++i) {
+        const double wavelength_um = 0.54 + 0.0137 * i;
         const std::vector<double> c = {0,          4.2980149, 0.0368879, 0.62776557,
                                        0.14347626, 2.8955633, 2208.4920};
         const double n = dispersionIndex(2, c, wavelength_um);

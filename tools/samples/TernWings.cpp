@@ -11,8 +11,6 @@
 namespace smat::tern {
 namespace {
 
-using irsg::Vec3;
-
 constexpr double halfSpan_m = 5.1;
 constexpr double strakeTo_m = 1.5; ///< of the half span
 
