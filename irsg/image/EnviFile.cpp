@@ -193,7 +193,7 @@ std::vector<std::string> bandNames(const EnviHeader& header, std::size_t bands) 
 fs::path enviHeaderOf(const fs::path& file) {
     for (const fs::path& header :
          {file, fs::path(file.string() + ".hdr"), fs::path(file).replace_extension(".hdr")})
-        if (const fs::path found = regularFile(header); !found.empty() && isHeader(found))
+        if (fs::path found = regularFile(header); !found.empty() && isHeader(found))
             return found;
     return {};
 }

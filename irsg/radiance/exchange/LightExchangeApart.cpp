@@ -44,6 +44,7 @@ LightExchange::LightExchange(std::vector<std::shared_ptr<const LightExchange>> o
             addThrough(b, one, sunOnRows[b]);
     }
     std::vector<BalanceOfBody> balances;
+    balances.reserve(alone_.size());
     for (const auto& own : alone_)
         balances.push_back({&own->balance_, true});
     balance_ = joined(balances);

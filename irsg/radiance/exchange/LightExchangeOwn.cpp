@@ -27,6 +27,7 @@ LightBalance LightExchange::withOwnOf(const Making& making, const LightBalance& 
     if (!isAnyAlone)
         return common;
     std::vector<BalanceOfBody> all;
+    all.reserve(bodies_.size());
     for (std::size_t b = 0; b < bodies_.size(); ++b)
         all.push_back(making.isAlone(b) ? BalanceOfBody{ofBodies[b], true}
                                         : BalanceOfBody{&common, false});
