@@ -182,6 +182,7 @@ std::vector<Facets> apartOf(const Facets& facets) {
     for (std::size_t i = 0; i < facets.size(); ++i)
         byCorner[joined.of(firstCorners[i])].push_back(facets[i]);
     std::vector<Facets> apart;
+    apart.reserve(byCorner.size());
     for (auto& [corner, own] : byCorner)
         apart.push_back(std::move(own));
     return apart;
@@ -195,6 +196,7 @@ bool doCross(const Mesh& mesh, const IrCodes& one, const IrCodes& other) {
     // Of one gas those that hold each other are no better, but for a hollow, which looks inwards.
     const std::vector<Facets> apart = apartOf(facetsOf(mesh, one));
     std::vector<BoundingBox> boxes;
+    boxes.reserve(apart.size());
     for (const Facets& own : apart)
         boxes.push_back(boxOf(own));
     for (std::size_t i = 0; i < apart.size(); ++i)

@@ -204,6 +204,7 @@ std::vector<std::uint64_t> looksWorthwhile(Excess& excess, std::uint64_t from, s
     looks.push_back(to);
     for (bool isEnough = false; !isEnough;) {
         std::vector<Point> places;
+        places.reserve(looks.size());
         for (const std::uint64_t look : looks)
             places.push_back(excess.atLook(look));
         std::vector<std::uint64_t> finer;
