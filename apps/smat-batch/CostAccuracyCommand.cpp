@@ -80,7 +80,8 @@ class CostAccuracyCommand {
         catchStopSignal();
         {
             const StageTimer::Scope scope(&context.timer, "measure");
-            JobRunner().run(data, options, RunControl(context));
+            RunControl control(context);
+            JobRunner().run(data, options, files_.checkedOn(control));
         }
         for (const std::string& warning : data.warnings)
             warn(warning);

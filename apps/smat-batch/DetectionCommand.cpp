@@ -150,12 +150,10 @@ class DetectionCommand {
                          withFixedSteps(kindOf(request.cases), data.settings))
                 .description;
         files_.checkWritable();
-        JobRunner runner;
-        AnalysisData rehearsed = data;
-        runner.rehearse(rehearsed, request);
-        files_.checkWritable(); // inputs are known by now
         if (dryRun_) {
-            for (const std::string& warning : rehearsed.warnings)
+            JobRunner().rehearse(data, request);
+            files_.checkWritable(); // inputs are known by now
+            for (const std::string& warning : data.warnings)
                 warn(warning);
             fmt::print("detection: {}\n", description);
             return done;
@@ -163,7 +161,8 @@ class DetectionCommand {
         catchStopSignal();
         {
             const StageTimer::Scope scope(&context.timer, "search");
-            runner.run(data, request, RunControl(context));
+            RunControl control(context);
+            JobRunner().run(data, request, files_.checkedOn(control));
         }
         for (const std::string& warning : data.warnings)
             warn(warning);

@@ -77,6 +77,11 @@ void TableFiles::checkWritable() const {
     checkOutputs({files_.begin(), files_.end()});
 }
 
+JobControl TableFiles::checkedOn(JobControl control) const {
+    control.loaded = [this](const SceneDescription&) { checkWritable(); };
+    return control;
+}
+
 void TableFiles::write(const std::string& kind, const ResultTable& table,
                        const std::vector<SummaryItem>& summary,
                        const std::vector<std::string>& warnings, bool json, bool isComplete) const {

@@ -10,6 +10,10 @@
 
 #include "smatcore/analysis/AnalysisData.h"
 
+namespace smat {
+struct JobControl;
+}
+
 namespace smat::batch {
 
 /// Options of a command that hold numbers, read as numbers are read everywhere else, so that a word
@@ -60,6 +64,8 @@ class TableFiles {
     bool isGiven() const { return !files_.empty(); }
     /// Throws InputError with all files that could not be written.
     void checkWritable() const;
+    /// The same control, under which that is done when a scene is built: inputs are known by then.
+    JobControl checkedOn(JobControl control) const;
     /// Saves, what is not complete beside a result that is (placeOfPartial), then prints a summary
     /// for people, or all numbers as JSON. `kind` is the command.
     void write(const std::string& kind, const ResultTable& table,

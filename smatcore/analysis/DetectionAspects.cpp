@@ -73,17 +73,16 @@ std::string AspectRange::warning() const {
     return text;
 }
 
-double RangeSearch::ratio(TargetAspect& aspect, double range_m) {
+std::optional<double> RangeSearch::ratio(TargetAspect& aspect, double range_m) {
     try {
         const TargetLook look = aspect.at(range_m, false);
-        isAnythingLookedAt_ = true;
         return std::copysign(sight_.reached(look), look.contrast_W_m2);
     } catch (const irsg::InputError& error) {
         if (range_m < leastRefused_m_) {
             leastRefused_m_ = range_m;
             refusal_ = error.what();
         }
-        return 0.0;
+        return std::nullopt;
     }
 }
 
@@ -96,18 +95,23 @@ AspectRange RangeSearch::sampled(TargetAspect& aspect) {
     for (int i = 0; i < mostSamplings; ++i) {
         aspect.sampleFrom(from_m);
         one.sampledFrom_m = from_m;
-        isAnythingLookedAt_ = false;
-        one.found = irsg::detectionRange([&](double range_m) { return ratio(aspect, range_m); },
-                                         wanted_, limits);
-        if (!isAnythingLookedAt_) // throws what no range changes
+        bool isAllRefused = true;
+        one.found = irsg::detectionRange(
+            [&](double range_m) {
+                const std::optional<double> value = ratio(aspect, range_m);
+                isAllRefused = isAllRefused && !value;
+                return value.value_or(0.0);
+            },
+            wanted_, limits);
+        if (isAllRefused) // throws what no range changes
             (void)aspect.at(request_.limits.nearest_m, false);
-        one.look = aspect.between(one.found);
         const double there_m = std::max(one.found.around.front().range_m, plain_m);
-        if (!one.look.isAlongRange ||
+        if (!aspect.isAlongRange(one.found) ||
             aspect.reach_m() * std::abs(1.0 / there_m - 1.0 / from_m) <= nearnessThatMatters)
             break;
         from_m = there_m;
     }
+    one.look = aspect.between(one.found);
     if (one.found.found == Found::atRange)
         latest_m_ = one.found.range_m;
     return one;

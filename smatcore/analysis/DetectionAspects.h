@@ -96,13 +96,13 @@ class RangeSearch {
   private:
     /// The target sampled from where it is found, as near as matters.
     AspectRange sampled(TargetAspect& aspect);
-    double ratio(TargetAspect& aspect, double range_m);
+    /// Of the target's contrast, with its sign; none at a range that the scene refuses.
+    std::optional<double> ratio(TargetAspect& aspect, double range_m);
 
     const DetectionRequest& request_;
     TargetSight& sight_;
     double wanted_;
-    bool isAnythingLookedAt_ = false; ///< by the search at hand: not all ranges were refused
-    std::optional<double> latest_m_;  ///< where the last aspect's target was found
+    std::optional<double> latest_m_; ///< where the last aspect's target was found
     std::size_t done_ = 0, resolved_ = 0, never_ = 0, beyond_ = 0, full_ = 0;
     // Paths into the ground, say.
     double leastRefused_m_ = std::numeric_limits<double>::infinity();

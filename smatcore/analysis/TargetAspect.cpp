@@ -194,6 +194,11 @@ TargetLook TargetAspect::at(double range_m, bool withErrors) {
     return known_[key] = look;
 }
 
+bool TargetAspect::isAlongRange(const irsg::DetectionRange& found) {
+    return std::ranges::any_of(
+        found.around, [&](const auto& node) { return at(node.range_m, false).isAlongRange; });
+}
+
 TargetLook TargetAspect::between(const irsg::DetectionRange& found) {
     std::vector<TargetLook> looks;
     for (const auto& node : found.around)
@@ -219,7 +224,6 @@ TargetLook TargetAspect::between(const irsg::DetectionRange& found) {
         look.*member = mean(member);
     look.clutter_W_m2_sr = clutter_W_m2_sr_;
     look.isFull = std::ranges::any_of(looks, &TargetLook::isFull);
-    look.isAlongRange = std::ranges::any_of(looks, &TargetLook::isAlongRange);
     const auto nearest =
         std::ranges::max_element(found.around, {}, &irsg::DetectionRange::Node::weight);
     const TargetLook known = at(nearest->range_m, true);

@@ -183,12 +183,13 @@ void JobRunner::rehearse(AnalysisData& data, const CostAccuracyStudy::Options& o
 
 void JobRunner::run(AnalysisData& data, const CostAccuracyStudy::Options& options,
                     const JobControl& control) {
-    CostAccuracyStudy::run(data, door(), factory(), options, control.progress, control.stop);
+    CostAccuracyStudy::run(data, door(), factory(control.loaded), options, control.progress,
+                           control.stop);
 }
 
 void JobRunner::run(AnalysisData& data, const DetectionRequest& request,
                     const JobControl& control) {
-    runDetection(data, request, door(), factory(),
+    runDetection(data, request, door(), factory(control.loaded),
                  {.progress = control.progress, .stop = control.stop, .timer = control.timer});
 }
 

@@ -49,7 +49,7 @@ struct JobControl {
     std::stop_token stop = {};
     StageTimer* timer = nullptr;
     CaseTeam* team = nullptr; ///< whose processes draw a sweep together; none: this one alone
-    /// Is told the scene before the first drawing.
+    /// Is told each scene when it was built, the first before the first drawing.
     std::function<void(const SceneDescription&)> loaded = {};
 };
 
@@ -107,9 +107,13 @@ class JobRunner {
     void rehearse(AnalysisData& data, const DetectionRequest& request);
 
   private:
-    SceneFactory factory() {
-        return [this](const Project& project, const Settings& settings) {
-            return scenes_.build(project, settings);
+    /// `loaded` may be empty; see JobControl.
+    SceneFactory factory(const std::function<void(const SceneDescription&)>& loaded = {}) {
+        return [this, loaded](const Project& project, const Settings& settings) {
+            SceneDescription scene = scenes_.build(project, settings);
+            if (loaded)
+                loaded(scene);
+            return scene;
         };
     }
 
