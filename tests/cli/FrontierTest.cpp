@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "smatcore/data/ResultTable.h"
+#include "tests/cli/PlainScene.h"
 #include "tests/cli/Program.h"
 #include "tests/support/TemporaryFolder.h"
 
@@ -14,30 +15,11 @@ using testing::HasSubstr;
 
 TEST(SmatBatchCostAccuracy, TellsTimeAgainstErrorAndWhatIsChosen) {
     const TemporaryFolder folder;
-    const Ran ran = smatBatch({"cost-accuracy",
-                               sample("sphere/sphere.smat"),
-                               "--atmosphere",
-                               "none",
-                               "--background",
-                               "none",
-                               "--sun",
-                               "off",
-                               "--ambient-reflection",
-                               "off",
-                               "--bounces",
-                               "0",
-                               "--shadows",
-                               "off",
-                               "--width",
-                               "32",
-                               "--height",
-                               "32",
-                               "--repeats",
-                               "1",
-                               "--target-error",
-                               "0.5%",
-                               "--out",
-                               folder / "f.csv"});
+    const Ran ran =
+        smatBatch(with({"cost-accuracy", sample("sphere/sphere.smat"), "--atmosphere", "none",
+                        "--background", "none", "--width", "32", "--height", "32", "--repeats", "1",
+                        "--target-error", "0.5%", "--out", folder / "f.csv"},
+                       plain));
     EXPECT_EQ(ran.exitCode, 0) << ran.err;
     EXPECT_THAT(ran.out, HasSubstr("the quickest of 6 configurations that meet it"));
     const ResultTable table = ResultTable::load(folder / "f.csv");

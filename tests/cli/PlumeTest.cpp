@@ -11,6 +11,7 @@
 #include "irsg/gas/GasSpectrum.h"
 #include "irsg/radiometry/Units.h"
 #include "smatcore/data/ResultTable.h"
+#include "tests/cli/PlainScene.h"
 #include "tests/cli/Program.h"
 #include "tests/support/TemporaryFolder.h"
 
@@ -151,33 +152,13 @@ class SmatBatchPlume : public testing::Test {
         std::vector<double> seen;
         for (const auto& [from_deg, to_deg, step_deg] :
              {std::array{"90", "135", "45"}, std::array{"170", "190", "20"}}) {
-            const Ran polar = smatBatch({"polar",
-                                         name + ".obj",
-                                         "--database",
-                                         name + ".sigdb",
-                                         "--band",
-                                         "4.4-4.6",
-                                         "--from",
-                                         from_deg,
-                                         "--to",
-                                         to_deg,
-                                         "--step",
-                                         step_deg,
-                                         "--range",
-                                         "500",
-                                         "--sun",
-                                         "off",
-                                         "--ambient-reflection",
-                                         "off",
-                                         "--bounces",
-                                         "0",
-                                         "--background",
-                                         "none",
-                                         "--atmosphere",
-                                         "none",
-                                         "--out",
-                                         "polar.csv"},
-                                        folder.path());
+            const Ran polar = smatBatch(
+                with({"polar",   name + ".obj",  "--database", name + ".sigdb", "--band",
+                      "4.4-4.6", "--from",       from_deg,     "--to",          to_deg,
+                      "--step",  step_deg,       "--range",    "500",           "--background",
+                      "none",    "--atmosphere", "none",       "--out",         "polar.csv"},
+                     plain),
+                folder.path());
             EXPECT_EQ(polar.exitCode, 0) << polar.err;
             const auto values = ResultTable::load(folder / "polar.csv").find("intensity")->values;
             seen.insert(seen.end(), values.begin(), values.end());

@@ -6,6 +6,7 @@
 
 #include "irsg/sensor/SensorFile.h"
 #include "smatcore/data/ResultTable.h"
+#include "tests/cli/PlainScene.h"
 #include "tests/cli/Program.h"
 #include "tests/support/SmallSensor.h"
 #include "tests/support/TemporaryFolder.h"
@@ -17,16 +18,6 @@ inline std::string sensorFile(const TemporaryFolder& folder,
                               const irsg::SensorDescription& sensor = smallSensor()) {
     saveSensor(sensor, folder / "small.smatsensor");
     return folder / "small.smatsensor";
-}
-
-/// Options of a scene whose light is that of its surfaces alone.
-inline const std::vector<std::string> plain = {
-    "--sun", "off", "--ambient-reflection", "off", "--bounces", "0", "--shadows", "off"};
-
-inline std::vector<std::string> with(std::vector<std::string> words,
-                                     const std::vector<std::string>& more) {
-    words.insert(words.end(), more.begin(), more.end());
-    return words;
 }
 
 /// NaN where there is no such column.
