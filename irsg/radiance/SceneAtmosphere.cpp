@@ -144,7 +144,7 @@ std::vector<AtmosphericQueryKey> atmosphereQueries(const Environment& environmen
 }
 
 Provided<double> ambientOf(const AtmosphericQueryCache& answers, const ObjectGeometry& geometry) {
-    return answers.environment().ambientTemperature_K(geometry.path.targetAltitude_m);
+    return answers.environment().ambientTemperature_K(geometry.altitude_m);
 }
 
 namespace {

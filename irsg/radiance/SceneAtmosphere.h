@@ -30,7 +30,10 @@ enum class HiddenPart { none, some, all };
 
 /// The geometry that the air is asked for, once per object or once per slice of it.
 struct ObjectGeometry {
-    AtmosphericPath path;         ///< sensor to reference point
+    AtmosphericPath path; ///< sensor to reference point
+    /// Of the reference point, to 1e-6 m: where the horizon hides all of the object, the path ends
+    /// above it.
+    double altitude_m = 0.0;
     double aspectAngle_rad = 0.0; ///< nose axis to the direction reference point -> sensor
     /// Distances from the sensor that a sphere about the reference point spans which holds the
     /// object, m.

@@ -201,7 +201,9 @@ Frame Renderer::Impl::frame(const Scene& scene, const SensorView& view, const Ou
     SceneEvaluation evaluation = evaluator.evaluate(request, std::move(geometry));
     FrameBackgrounds backgrounds =
         evaluator.backgrounds(request, evaluation, engine.terrainPainter);
-    SurfaceShading shading = shader.shade(request, evaluation);
+    const bool isAllHidden = std::ranges::all_of(
+        evaluation.geometry, [](const auto& object) { return object.hidden == HiddenPart::all; });
+    SurfaceShading shading = isAllHidden ? SurfaceShading{} : shader.shade(request, evaluation);
     std::vector<SurfaceItem> items = surfaceItems(scene.entities, evaluation.surfaceRows());
     std::vector<GroundBefore> ground = groundBefore(request, evaluation.geometry, engine.isRays);
     SceneSurfaces ofScene{scene,

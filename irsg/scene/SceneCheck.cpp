@@ -207,6 +207,8 @@ std::vector<ObjectGeometry> objectGeometry(const std::vector<Entity>& entities,
             geometry.path.azimuth_rad = std::atan2(-toSensor.x, -toSensor.y);
         }
         geometry.path = steadied(geometry.path);
+        // To the last bit alike from wherever it is seen: temperatures follow from it.
+        geometry.altitude_m = std::round(1e6 * geometry.path.targetAltitude_m) / 1e6;
         result.push_back(geometry);
     }
     if (!diagnostics.empty()) {
@@ -289,8 +291,7 @@ void checkScene(const std::vector<Entity>& entities, const std::vector<ObjectGeo
                                        "the spectral mode: its points are not trained for gas"});
 
     for (std::size_t e = 0; e < entities.size(); ++e) {
-        const double ambient_K =
-            environment.ambientTemperature_K(geometry[e].path.targetAltitude_m).value;
+        const double ambient_K = environment.ambientTemperature_K(geometry[e].altitude_m).value;
         checkEntity(entities[e], geometry[e], ambient_K, bands, diagnostics);
     }
     if (!diagnostics.empty())

@@ -150,14 +150,28 @@ Neighbours neighboursOf(Excess& excess, std::uint64_t left, std::uint64_t step) 
 
 /// Sets what is known of the root between place `left` and the next look.
 void findRoot(Excess& excess, std::uint64_t left, double tolerance, DetectionRange& found) {
+    // Halving an interval of a smooth ratio leaves an eighth of the error, at a kink a half. Where
+    // the ratio scatters from place to place it leaves as much as it was: the wider interval, which
+    // the scatter changes less, stays.
+    constexpr double leastGain = 0.7;
+    constexpr int mostInVain = 2;
     std::uint64_t step = std::uint64_t{1} << mostHalvings;
     Neighbours near = neighboursOf(excess, left, step);
-    while (step > 1 && near.error() > tolerance) {
+    double error = near.error(), inVainError = 0.0;
+    for (int inVain = 0; step > 1 && error > tolerance && inVain < mostInVain;) {
         step /= 2;
         if (excess.at(left + step).y >= 0.0)
             left += step;
-        near = neighboursOf(excess, left, step);
+        const Neighbours halved = neighboursOf(excess, left, step);
+        const bool isBetter = halved.isStep() || halved.error() < leastGain * error;
+        inVain = isBetter ? 0 : inVain + 1;
+        inVainError = isBetter ? 0.0 : std::max(inVainError, halved.error());
+        if (isBetter) {
+            near = halved;
+            error = near.error();
+        }
     }
+    found.relativeError = std::max(error, inVainError);
     if (near.isStep()) { // the last range at which it is seen
         found.range_m = std::exp(near.from().x);
         found.around = {{found.range_m, 1.0}};
@@ -248,8 +262,13 @@ DetectionRange detectionRange(const std::function<double(double)>& ratio, double
     };
     const std::uint64_t first = excess.lookFrom(limits.costlyBelow_m);
     lookBetween(first, excess.looks());
-    if (first > 0 && !last && !isSeenAtEnd)
-        lookBetween(0, first);
+    if (first > 0 && !last && !isSeenAtEnd) {
+        std::uint64_t from = first;
+        do
+            from -= std::min(from, excess.coarseStep());
+        while (from > 0 && excess.atLook(from).y < 0.0);
+        lookBetween(from, first);
+    }
     if (isSeenAtEnd) {
         found.found = DetectionRange::Found::beyond;
         found.range_m = limits.farthest_m;

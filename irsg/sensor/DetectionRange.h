@@ -14,7 +14,7 @@ struct RangeLimits {
     /// about them.
     int looksPerDecade = 16;
     /// The ratio is looked at at nearer ranges only where it is below the threshold at those
-    /// beyond.
+    /// beyond, from the farthest to the first at which it is reached.
     double costlyBelow_m = 0.0;
 };
 
@@ -31,9 +31,12 @@ struct DetectionRange {
     /// d ln(ratio) / d ln(range) at that range, -2 in vacuum; 0 where nothing was found, and at a
     /// step of the ratio to 0.
     double slope = 0.0;
+    /// Of a range at which something was found, what is left of it: the tolerance, or more where
+    /// the ratio scatters from range to range.
+    double relativeError = 0.0;
     /// How often the ratio crosses the threshold between the limits (from `costlyBelow_m` on where
-    /// it is reached there), as far as it was looked at: more than once where contrast passes
-    /// through zero, say.
+    /// it is reached there, else from the farthest look at which it is reached), as far as it was
+    /// looked at: more than once where contrast passes through zero, say.
     int crossings = 0;
     /// Ranges of the grid about that range, and weights, which sum up to 1, with which a smooth
     /// function of ln(range) is interpolated there (Lagrange); one where nothing was found: at the

@@ -1,6 +1,9 @@
 #include "smatcore/analysis/CaseWarnings.h"
 
 #include <algorithm>
+#include <charconv>
+#include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -17,6 +20,23 @@ std::string counted(std::string sentence, std::size_t cases) {
     if (const std::size_t at = sentence.find(word); at != std::string::npos)
         sentence.replace(at, word.size(), std::to_string(cases));
     return sentence;
+}
+
+/// A sentence without its number of percent or pixels, and that number: cases whose sentences
+/// differ in it alone are told together, with the largest.
+std::pair<std::string, double> kindOf(const std::string& sentence) {
+    for (const std::string_view unit : {" %", " pixels"}) {
+        const std::size_t end = sentence.find(unit);
+        if (end == std::string::npos || end == 0)
+            continue;
+        const std::size_t before = sentence.find_last_not_of("0123456789.", end - 1);
+        const std::size_t begin = before == std::string::npos ? 0 : before + 1;
+        double value = 0.0;
+        const char* const last = sentence.data() + end;
+        if (std::from_chars(sentence.data() + begin, last, value).ptr == last && begin < end)
+            return {sentence.substr(0, begin) + sentence.substr(end), value};
+    }
+    return {sentence, 0.0};
 }
 
 } // namespace
@@ -61,8 +81,10 @@ void CaseWarnings::addWorst(const std::string& kind, double value, const std::st
 }
 
 void CaseWarnings::addReport(const irsg::RenderReport& report, int layersKept) {
-    for (const std::string& sentence : report.warnings)
-        add(sentence);
+    for (const std::string& sentence : report.warnings) {
+        const auto [kind, value] = kindOf(sentence);
+        addWorst(kind, value, sentence);
+    }
     const bool isBehindHorizon =
         std::ranges::any_of(report.warnings, [](const std::string& sentence) {
             return sentence.ends_with("is behind the horizon");

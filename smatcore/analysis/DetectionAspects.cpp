@@ -61,10 +61,15 @@ double AspectRange::outcome() const {
     return found.found == Found::atRange ? 0.0 : found.found == Found::beyond ? 1.0 : -1.0;
 }
 
+bool AspectRange::isHiddenBeyond() const {
+    return found.found == Found::atRange && found.slope == 0.0;
+}
+
 std::string AspectRange::warning() const {
     std::string text;
     for (const auto& [isSo, words] :
-         {std::pair(found.found == Found::nowhere, "below the threshold at every range"),
+         {std::pair(isHiddenBeyond(), "hidden at longer ranges, at which its contrast is 0"),
+          {found.found == Found::nowhere, "below the threshold at every range"},
           {found.found == Found::beyond, "above the threshold at the farthest range"},
           {isResolved, "an image larger than a pixel: the range is overstated"},
           {look.isFull, "a background that fills the pixels"}})
@@ -78,11 +83,17 @@ std::optional<double> RangeSearch::ratio(TargetAspect& aspect, double range_m) {
         const TargetLook look = aspect.at(range_m, false);
         return std::copysign(sight_.reached(look), look.contrast_W_m2);
     } catch (const irsg::InputError& error) {
-        if (range_m < leastRefused_m_) {
-            leastRefused_m_ = range_m;
-            refusal_ = error.what();
-        }
+        if (range_m < refused_.range_m)
+            refused_ = {range_m, error.what()};
         return std::nullopt;
+    }
+}
+
+bool RangeSearch::isSampledOnceAt(TargetAspect& aspect, double range_m) {
+    try {
+        return aspect.at(range_m, false).isAlongRange;
+    } catch (const irsg::InputError&) {
+        return true; // which the search will tell
     }
 }
 
@@ -92,6 +103,12 @@ AspectRange RangeSearch::sampled(TargetAspect& aspect) {
     const double plain_m = std::max(limits.nearest_m, limits.costlyBelow_m);
     AspectRange one;
     double from_m = std::clamp(latest_m_.value_or(usual * plain_m), plain_m, limits.farthest_m);
+    aspect.sampleFrom(from_m);
+    if (!isSampledOnce_)
+        isSampledOnce_ = isSampledOnceAt(aspect, from_m);
+    // Every range has a rendering of its own otherwise: those beyond the range come first.
+    if (!*isSampledOnce_)
+        limits.costlyBelow_m = limits.farthest_m;
     for (int i = 0; i < mostSamplings; ++i) {
         aspect.sampleFrom(from_m);
         one.sampledFrom_m = from_m;
@@ -106,7 +123,10 @@ AspectRange RangeSearch::sampled(TargetAspect& aspect) {
         if (isAllRefused) // throws what no range changes
             (void)aspect.at(request_.limits.nearest_m, false);
         const double there_m = std::max(one.found.around.front().range_m, plain_m);
-        if (!aspect.isAlongRange(one.found) ||
+        const bool isAlongRange = aspect.isAlongRange(one.found);
+        if (one.found.found == Found::atRange)
+            isSampledOnce_ = isAlongRange;
+        if (!isAlongRange ||
             aspect.reach_m() * std::abs(1.0 / there_m - 1.0 / from_m) <= nearnessThatMatters)
             break;
         from_m = there_m;
@@ -118,11 +138,12 @@ AspectRange RangeSearch::sampled(TargetAspect& aspect) {
 }
 
 AspectRange RangeSearch::find(TargetAspect& aspect) {
+    refused_ = {};
     AspectRange one = sampled(aspect);
     const irsg::DetectionRange& found = one.found;
     const TargetLook& look = one.look;
     if (found.found == Found::atRange) {
-        one.error_m = request_.limits.tolerance * found.range_m;
+        one.error_m = std::max(request_.limits.tolerance, found.relativeError) * found.range_m;
         if (found.slope != 0.0)
             one.error_m =
                 std::hypot(one.error_m, sight_.relativeError(look) * found.range_m / found.slope);
@@ -132,7 +153,12 @@ AspectRange RangeSearch::find(TargetAspect& aspect) {
     ++done_;
     never_ += found.found == Found::nowhere;
     beyond_ += found.found == Found::beyond;
+    hidden_ += one.isHiddenBeyond();
     full_ += look.isFull;
+    // Behind a range at which it fades below the threshold nobody looks for it.
+    const bool fades = found.found == Found::atRange && !one.isHiddenBeyond();
+    if (!fades && refused_.range_m < leastRefused_.range_m)
+        leastRefused_ = refused_;
     resolved_ += one.isResolved;
     return one;
 }
@@ -141,15 +167,19 @@ void RangeSearch::tell(std::vector<std::string>& warnings) const {
     for (const auto& [count, what] :
          {std::pair(never_, "are below the threshold at every range: their range is 0"),
           {beyond_, "are above the threshold at the farthest range, which is given for them"},
+          {hidden_,
+           "end where the target is hidden: terrain or the horizon stands before all of it "
+           "at longer ranges"},
           {resolved_, "have an image larger than a pixel at that range: the ratio of a point, "
                       "which collects the whole target in one pixel, overstates it"},
           {full_, "have a background that fills the pixels: their noise is that of a larger "
                   "well"}})
         if (count > 0)
             warnings.push_back(fmt::format("{} of {} aspects {}", count, done_, what));
-    if (!refusal_.empty())
+    if (!leastRefused_.why.empty())
         warnings.push_back(fmt::format("nothing is seen over {} m or more: {}",
-                                       irsg::roundedText(leastRefused_m_, 3), refusal_));
+                                       irsg::roundedText(leastRefused_.range_m, 3),
+                                       leastRefused_.why));
 }
 
 } // namespace smat

@@ -77,6 +77,8 @@ struct AspectRange {
 
     /// 0 found, -1 nowhere, 1 beyond.
     double outcome() const;
+    /// Whether the contrast ends in a step to 0 there: something hides all of the target beyond.
+    bool isHiddenBeyond() const;
     /// "" for nothing.
     std::string warning() const;
 };
@@ -96,6 +98,7 @@ class RangeSearch {
   private:
     /// The target sampled from where it is found, as near as matters.
     AspectRange sampled(TargetAspect& aspect);
+    static bool isSampledOnceAt(TargetAspect& aspect, double range_m);
     /// Of the target's contrast, with its sign; none at a range that the scene refuses.
     std::optional<double> ratio(TargetAspect& aspect, double range_m);
 
@@ -103,10 +106,15 @@ class RangeSearch {
     TargetSight& sight_;
     double wanted_;
     std::optional<double> latest_m_; ///< where the last aspect's target was found
-    std::size_t done_ = 0, resolved_ = 0, never_ = 0, beyond_ = 0, full_ = 0;
-    // Paths into the ground, say.
-    double leastRefused_m_ = std::numeric_limits<double>::infinity();
-    std::string refusal_;
+    /// Whether one sampling of it stood for all ranges, which terrain behind it prevents.
+    std::optional<bool> isSampledOnce_;
+    std::size_t done_ = 0, resolved_ = 0, never_ = 0, beyond_ = 0, hidden_ = 0, full_ = 0;
+    /// A range that the scene refuses: a path into the ground, say.
+    struct Refused {
+        double range_m = std::numeric_limits<double>::infinity();
+        std::string why;
+    };
+    Refused refused_, leastRefused_; ///< of the aspect, and of those whose range it may change
 };
 
 } // namespace smat

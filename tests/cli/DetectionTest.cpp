@@ -335,6 +335,64 @@ TEST(SmatBatchDetection, InAirOfABandADenseSearchFindsTheSameRange) {
     EXPECT_NEAR(rangeOf("4") / rangeOf("40"), 1.0, 1e-5);
 }
 
+// What the samples know of their surfaces, gases and air holds the bands of thermal sensors.
+TEST(SmatBatchDetection, ThermalSensorsOfTheLibraryServeTheSamples) {
+    const TemporaryFolder folder;
+    const std::string sensors = std::string(SMAT_SOURCE_DIR) + "/resources/sensors/";
+    for (const char* name : {"corvette", "heron", "ship", "tern", "turboprop4"}) {
+        for (const char* sensor : {"cooled-mwir", "lwir-scanner", "scanning-seeker",
+                                   "uncooled-bolometer", "warning-wide-field"}) {
+            const Ran ran =
+                smatBatch({"detection", sample(std::string(name) + "/" + name + ".smat"),
+                           "--sensor", sensors + sensor + ".smatsensor", "--step", "180",
+                           "--dry-run", "--out", folder / "r.csv"});
+            EXPECT_EQ(ran.exitCode, 0) << name << ", " << sensor << ": " << ran.err;
+        }
+    }
+}
+
+// A wall 1 km north of the target: the camera at 0 degrees sees it up to there.
+TEST(SmatBatchDetection, RangesThatEndWhereTerrainHidesTheTargetSaySo) {
+    const TemporaryFolder folder;
+    write(folder / "wall.stl", "solid wall\n"
+                               "facet normal 0 1 0\nouter loop\n"
+                               "vertex -300 1000 -300\nvertex 300 1000 -300\n"
+                               "vertex 300 1000 300\nendloop\nendfacet\n"
+                               "facet normal 0 1 0\nouter loop\n"
+                               "vertex -300 1000 -300\nvertex 300 1000 300\n"
+                               "vertex -300 1000 300\nendloop\nendfacet\n"
+                               "endsolid wall\n");
+    const Ran ran = smatBatch(with({"detection",
+                                    sample("sphere/sphere.smat"),
+                                    "--sensor",
+                                    sensorFile(folder),
+                                    "--step",
+                                    "180",
+                                    "--altitude",
+                                    "100",
+                                    "--terrain",
+                                    folder / "wall.stl",
+                                    "--terrain-altitude",
+                                    "100",
+                                    "--terrain-slope",
+                                    "1",
+                                    "--terrain-offset",
+                                    "1",
+                                    "--background-temperature",
+                                    "300",
+                                    "--out",
+                                    folder / "r.csv"},
+                                   plain));
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    const ResultTable table = ResultTable::load(folder / "r.csv");
+    ASSERT_EQ(table.rowCount(), 2u);
+    EXPECT_NEAR(valueOf(table, "detection_range", 0), 1000.0, 2.0);
+    EXPECT_EQ(table.warningOf(0), "hidden at longer ranges, at which its contrast is 0");
+    EXPECT_GT(valueOf(table, "detection_range", 1), 3000.0);
+    EXPECT_EQ(table.warningOf(1), "");
+    EXPECT_THAT(ran.err, HasSubstr("1 of 2 aspects end where the target is hidden"));
+}
+
 // The search of an aspect begins where the one before it ended.
 TEST(SmatBatchDetection, RangesOfARoseAreThoseOfEachAspectAlone) {
     const TemporaryFolder folder;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -23,6 +24,19 @@ class BareEarth : public ConstantAtmosphere {
     TargetView targetView(const AtmosphericPath& path) const override {
         return sphericalTargetView(path);
     }
+};
+
+/// And air that is asked for its temperature.
+class EarthWithAir : public BareEarth {
+  public:
+    bool supports(AtmosphereProperty property) const override {
+        return property == AtmosphereProperty::ambientTemperature || BareEarth::supports(property);
+    }
+    double ambientTemperature_K(double altitude_m) const override {
+        altitudes_m.push_back(altitude_m);
+        return 288.15;
+    }
+    mutable std::vector<double> altitudes_m;
 };
 
 /// A wall of 100 m that stands on the sea, seen over a range from 10 m above it.
@@ -99,6 +113,20 @@ TEST_P(HullDown, IsSaidInTheReport) {
     EXPECT_FALSE(says(from(5e3), "horizon"));
     EXPECT_TRUE(says(from(20e3), "is partly behind the horizon"));
     EXPECT_TRUE(says(from(40e3), "is behind the horizon"));
+}
+
+// Its surfaces go with the air about it, wherever they would appear.
+TEST_P(HullDown, KeepsTheAirOfItsOwnAltitude) {
+    const auto earth = std::make_shared<EarthWithAir>();
+    irsg.scene.environment = Environment();
+    irsg.scene.environment.add(earth);
+    for (const double range_m : {5e3, 20e3, 600e3}) {
+        from(range_m);
+    }
+    ASSERT_FALSE(earth->altitudes_m.empty());
+    for (const double altitude_m : earth->altitudes_m) {
+        EXPECT_NEAR(altitude_m, 0.5 * height_m, 1e-6);
+    }
 }
 
 TEST_P(HullDown, HidesNothingOfWhatIsNearer) {

@@ -111,6 +111,45 @@ TEST(DetectionRange, NearRangesThatCostMoreAreLookedAtOnlyWhereNothingIsSeenBeyo
     }
 }
 
+TEST(DetectionRange, CostlyRangesAreLookedAtFromTheFarthestToTheFirstThatIsSeen) {
+    const RangeLimits limits{
+        .nearest_m = 100.0, .farthest_m = 1e6, .looksPerDecade = 4, .costlyBelow_m = 1e6};
+    for (const double range_m : {150.0, 3e3, 4e4, 7e5}) {
+        double nearest_m = 1e9;
+        const DetectionRange found = detectionRange(
+            [&](double r) {
+                nearest_m = std::min(nearest_m, r);
+                return range_m * range_m / (r * r);
+            },
+            1.0, limits);
+        EXPECT_NEAR(found.range_m / range_m, 1.0, 1e-6);
+        EXPECT_EQ(found.crossings, 1);
+        const double look = std::pow(10.0, 0.25);
+        EXPECT_GE(nearest_m, range_m / (look * look * look)) << "with one for the curvature";
+    }
+}
+
+// As where the texture of terrain behind a target goes up and down with the range.
+TEST(DetectionRange, OfARatioThatScattersAsMuchIsSaidAndNoMoreLookedAt) {
+    std::size_t calls = 0;
+    const auto ratio = [&](double r) {
+        ++calls;
+        return 1.7e9 / (r * r) * (1.0 + 0.01 * std::sin(1e3 * r));
+    };
+    const DetectionRange found =
+        detectionRange(ratio, 1.0, {.nearest_m = 100.0, .farthest_m = 1e6, .looksPerDecade = 4});
+    EXPECT_NEAR(found.range_m / std::sqrt(1.7e9), 1.0, 0.01);
+    EXPECT_GT(found.relativeError, 1e-4);
+    EXPECT_LT(found.relativeError, 0.02);
+    EXPECT_NEAR(found.slope, -2.0, 0.2);
+    EXPECT_LT(calls, 28u);
+    calls = 0;
+    const DetectionRange smooth =
+        detectionRange([](double r) { return 1.7e9 / (r * r); }, 1.0,
+                       {.nearest_m = 100.0, .farthest_m = 1e6, .looksPerDecade = 4});
+    EXPECT_LE(smooth.relativeError, 1e-5);
+}
+
 // A contrast that changes its sign between two looks dips below the threshold there, however large
 // it is at both.
 TEST(DetectionRange, AChangeOfSignBetweenTwoLooksIsLookedInto) {

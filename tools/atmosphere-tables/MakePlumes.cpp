@@ -28,7 +28,7 @@ using namespace irsg;
 using namespace irsg::lbl;
 
 constexpr double atmosphere_hPa = 1013.25;
-constexpr WavenumberGrid fine{795.0, 0.002, 2'255'001}; // to 5305 cm-1
+constexpr WavenumberGrid fine{655.0, 0.002, 2'325'001}; // to 5305 cm-1
 
 /// A zone of a plume: its emission is written to NAME.csv, its transmissivity to GAS.csv.
 struct Zone {
@@ -72,12 +72,12 @@ std::vector<double> transmittance(const LineList& gas, const PartitionSums& part
     return values;
 }
 
-/// From 1.9 to 12.5 um, fine where the 4.3 um band is.
+/// From 1.9 to 15.2 um, so that bands to 14 um lie within; fine where the 4.3 um band is.
 std::vector<double> axis_per_cm() {
     std::vector<double> axis;
-    for (double nu = 800.0; nu <= 5300.0;) {
+    for (double nu = 660.0; nu <= 5300.0;) {
         axis.push_back(nu);
-        nu += nu >= 2080.0 && nu < 2460.0 ? 4.0 : nu >= 1200.0 && nu < 4200.0 ? 20.0 : 100.0;
+        nu += nu >= 2080.0 && nu < 2460.0 ? 4.0 : nu < 4200.0 ? 20.0 : 100.0;
     }
     return axis;
 }
