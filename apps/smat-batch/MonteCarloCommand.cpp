@@ -16,6 +16,7 @@
 #include "irsg/core/CsvTable.h"
 #include "irsg/core/Errors.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
+#include "smatcore/jobs/CaseTeam.h"
 #include "smatcore/settings/SettingKeys.h"
 #include "smatcore/simulate/ScenarioFile.h"
 
@@ -95,6 +96,7 @@ class MonteCarloCommand {
             ->take_all();
         numbers_.add("--from", "s", "Of a scenario: time of the first step");
         numbers_.add("--to", "s", "Of a scenario: time of the last step");
+        addDryRun(command, dryRun_);
         command.footer(
             "In place of a project a scenario (JSON): what each sensor sees of each entity at each "
             "of its steps, in FILE-SENSOR-ENTITY.csv; of all entities together in FILE-SENSOR.csv. "
@@ -102,7 +104,7 @@ class MonteCarloCommand {
     }
 
     int run(Context& context) const {
-        checkFiles();
+        checkFiles(context);
         if (isScenarioFile(project_.file()))
             return runScenario(context);
         refuseGiven({"--sensor", "--from", "--to"}, "a scenario in place of a project");
@@ -124,6 +126,12 @@ class MonteCarloCommand {
             analysis.commandLine = context.commandLine;
             settings_.requireNamed(analysis.settings);
         }
+        if (dryRun_) {
+            const AnalysisPlan plan = runner.rehearse(job, context.team != nullptr);
+            if (context.team == nullptr || context.team->isLeader())
+                describe(job.data, plan, context);
+            return done;
+        }
         catchStopSignal();
         const JobOutcome outcome = runner.run(job, RunControl(context));
         if (!outcome.isLed)
@@ -140,6 +148,43 @@ class MonteCarloCommand {
   private:
     static void report(const std::vector<Outcome>& outcomes, const Context& context) {
         fmt::print("{}", context.json ? summaryJson(outcomes) : summaryText(outcomes));
+    }
+
+    static void describe(const MonteCarloData& data, const AnalysisPlan& plan,
+                         const Context& context) {
+        for (const std::string& warning : data.analysis.warnings)
+            warn(data.analysis.name + ": " + warning);
+        if (!context.json) {
+            fmt::print("{}: {}, at most {} draws\n", data.analysis.name, plan.description,
+                       data.options.samples);
+            return;
+        }
+        const nlohmann::ordered_json one{{"name", data.analysis.name},
+                                         {"kind", name(plan.kind)},
+                                         {"cases", plan.cases.size()},
+                                         {"description", plan.description},
+                                         {"draws", data.options.samples}};
+        fmt::print("{}\n", jsonText(nlohmann::ordered_json{{"plans", {one}}}));
+    }
+
+    static void describe(const ScenarioMonteCarlo& run, const Context& context) {
+        for (const std::string& warning : run.warnings)
+            warn(warning);
+        auto list = nlohmann::ordered_json::array();
+        for (const std::size_t sensor : run.plan.sensors) {
+            const std::string& name = run.scenario.scenario.sensors[sensor].name;
+            const auto &first = run.plan.steps.front(), &last = run.plan.steps.back();
+            list.push_back({{"sensor", name},
+                            {"steps", run.plan.steps.size()},
+                            {"from_s", first.time_s},
+                            {"to_s", last.time_s},
+                            {"draws", run.options.samples}});
+            if (!context.json)
+                fmt::print("{}: {} steps from {:g} to {:g} s, at most {} draws\n", name,
+                           run.plan.steps.size(), first.time_s, last.time_s, run.options.samples);
+        }
+        if (context.json)
+            fmt::print("{}\n", jsonText(nlohmann::ordered_json{{"plans", list}}));
     }
 
     void refuseGiven(const std::vector<const char*>& options, const std::string& expected) const {
@@ -179,6 +224,11 @@ class MonteCarloCommand {
                     warn(scenario.sensors[sensor].name + ": " + warning);
             }
         }
+        if (dryRun_) {
+            runner.rehearse(job);
+            describe(run, context);
+            return done;
+        }
         catchStopSignal();
         const JobOutcome outcome = runner.run(job, RunControl(context));
         for (const std::string& warning : run.warnings)
@@ -193,8 +243,10 @@ class MonteCarloCommand {
         return isComplete ? end : warned;
     }
 
-    void checkFiles() const {
-        if (files_.empty() && realisationFiles_.empty())
+    void checkFiles(const Context& context) const {
+        // What is gone on with lies beside a result.
+        const bool needsFile = !dryRun_ || parts_.isGiven() || context.team != nullptr;
+        if (needsFile && files_.empty() && realisationFiles_.empty())
             throw refusal("--out", "nothing", "a result file, such as --out montecarlo.csv");
         const auto check = [](const char* option, const std::vector<std::string>& files) {
             for (const std::string& file : files) {
@@ -271,7 +323,7 @@ class MonteCarloCommand {
     std::vector<std::string> files_, realisationFiles_, sensors_;
     std::string analysis_, kind_, sequence_ = "sobol", quantity_ = "contrast_intensity",
                                   statistic_ = "mean", percentiles_;
-    bool ranking_ = false;
+    bool ranking_ = false, dryRun_ = false;
 };
 
 } // namespace

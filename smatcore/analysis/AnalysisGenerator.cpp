@@ -180,19 +180,6 @@ bool mayHide(const AnalysisData& data, const CasePlacer& placer, const SceneDesc
     });
 }
 
-/// Asks the renderer whether it would calculate each case.
-void checkCases(const AnalysisData& data, const CasePlacer& placer, const SceneDescription& scene,
-                const AnalysisPlan& plan, const RenderDoor& door) {
-    const Outputs outputs = data.kind->form == AnalysisForm::image ? Outputs::image()
-                            : data.kind->form == AnalysisForm::spectrum
-                                ? Outputs::reports()
-                                : Outputs::reports(scene.allBands());
-    for (const AnalysisCase& one : plan.cases) {
-        const PlacedCase placed = placer.place(scene, one);
-        door.check(placed.scene, placed.view, outputs);
-    }
-}
-
 } // namespace
 
 AnalysisGenerator::AnalysisGenerator(RenderDoor door, SceneFactory scenes)
@@ -329,7 +316,7 @@ PlacedCase runAnalysis(AnalysisData& data, AnalysisPlan cases, SceneDescription 
                 store->rehearse(data, count);
         }
         if (control.isRehearsal) {
-            checkCases(data, *placer, scene, cases, door);
+            checkCases(cases, *placer, scene, door);
             return placer->place(scene, cases.cases.front());
         }
         std::size_t wanted =

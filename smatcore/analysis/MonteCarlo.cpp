@@ -130,15 +130,24 @@ class Run {
                                     "a sweep: a spectrum is one view, which has no parts");
     }
 
+    /// Looks at all that a run does before it draws; `store` is that of one in parts.
+    AnalysisPlan rehearse(CaseStore* store) {
+        const CasePlacer placer(door_, scene_);
+        if (store == nullptr) {
+            data_.analysis.renderer = door_.description(scene_);
+        } else {
+            beginTable({plan_.coordinate});
+            store->rehearse(data_.analysis, plan_.cases.size());
+        }
+        checkCases(plan_, placer, scene_, door_);
+        return plan_;
+    }
+
     /// Case by case into the table.
     void goThrough(CaseStore& store) {
         AnalysisData& analysis = data_.analysis;
-        analysis.renderer = door_.description(scene_);
-        const std::vector<irsg::Band> bands = scene_.allBands();
-        data_.bands = bands.size() > 1 ? bandLabels(bands) : std::vector<std::string>{""};
         const MonteCarloAxis axis{plan_.coordinate};
-        writeProvenance(analysis, scene_);
-        beginRealisations(data_, axis);
+        beginTable(axis);
         store.begin(analysis, plan_.cases.size());
         total_ = store.expected(plan_.cases.size());
 
@@ -174,6 +183,16 @@ class Run {
         writeProvenance(analysis, scene_);
         tellRealisations(data_, axis, data_.options.samples);
         analysis.summary.push_back({"Draws", static_cast<double>(data_.options.samples), ""});
+    }
+
+    /// Of a run in parts: the table without rows, with what is known of it before its first case.
+    void beginTable(const MonteCarloAxis& axis) {
+        AnalysisData& analysis = data_.analysis;
+        analysis.renderer = door_.description(scene_);
+        const std::vector<irsg::Band> bands = scene_.allBands();
+        data_.bands = bands.size() > 1 ? bandLabels(bands) : std::vector<std::string>{""};
+        writeProvenance(analysis, scene_);
+        beginRealisations(data_, axis);
     }
 
     /// The case of a plan, none where a stop was asked for meanwhile.
@@ -288,6 +307,19 @@ void MonteCarlo::run(MonteCarloData& data, CaseStore& store, const ProgressCallb
     fresh.analysis.elapsed_s = run.elapsed_s();
     run.say("done");
     data = std::move(fresh);
+}
+
+AnalysisPlan MonteCarlo::rehearse(MonteCarloData& data, CaseStore* store) {
+    MonteCarloData fresh = asked(data);
+    fresh.analysis.state = store == nullptr ? AnalysisState::notRun : AnalysisState::partial;
+    const ProgressCallback none;
+    Run run(door_, fresh, none, {});
+    if (store != nullptr)
+        run.refuseWhatIsOfAll();
+    run.load(scenes_);
+    AnalysisPlan plan = run.rehearse(store);
+    data.analysis.warnings = std::move(fresh.analysis.warnings);
+    return plan;
 }
 
 void MonteCarlo::run(MonteCarloData& data, const ProgressCallback& progress, std::stop_token stop,

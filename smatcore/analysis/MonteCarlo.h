@@ -35,6 +35,10 @@ class MonteCarlo {
     void run(MonteCarloData& data, CaseStore& store, const ProgressCallback& progress = {},
              std::stop_token stop = {}, StageTimer* timer = nullptr);
 
+    /// Throws all that run() would refuse before it draws, of a run in parts where there is a
+    /// store, and returns the plan. The data are not run; they hold what there is to warn of.
+    AnalysisPlan rehearse(MonteCarloData& data, CaseStore* store = nullptr);
+
   private:
     RenderDoor door_;
     SceneFactory scenes_;

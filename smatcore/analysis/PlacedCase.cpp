@@ -65,4 +65,16 @@ PlacedCase CasePlacer::place(const SceneDescription& scene,
     return placed;
 }
 
+void checkCases(const AnalysisPlan& plan, const CasePlacer& placer, const SceneDescription& scene,
+                const RenderDoor& door) {
+    const irsg::Outputs outputs = plan.kind->form == AnalysisForm::image ? irsg::Outputs::image()
+                                  : plan.kind->form == AnalysisForm::spectrum
+                                      ? irsg::Outputs::reports()
+                                      : irsg::Outputs::reports(scene.allBands());
+    for (const AnalysisCase& one : plan.cases) {
+        const PlacedCase placed = placer.place(scene, one);
+        door.check(placed.scene, placed.view, outputs);
+    }
+}
+
 } // namespace smat

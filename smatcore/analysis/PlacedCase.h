@@ -55,4 +55,8 @@ class CasePlacer {
     std::vector<irsg::Vec3> inModel_;
 };
 
+/// Asks the renderer whether it would calculate each case of a plan. Throws InputError as it does.
+void checkCases(const AnalysisPlan& plan, const CasePlacer& placer, const SceneDescription& scene,
+                const RenderDoor& door);
+
 } // namespace smat

@@ -105,6 +105,9 @@ class JobRunner {
     /// See runDetection; the result stays in the data.
     void run(AnalysisData& data, const DetectionRequest& request, const JobControl& control = {});
     void rehearse(AnalysisData& data, const DetectionRequest& request);
+    /// Return what would be drawn. `byTeam`: as of several processes.
+    AnalysisPlan rehearse(MonteCarloJob& job, bool byTeam = false);
+    void rehearse(ScenarioMonteCarloJob& job);
 
   private:
     /// `loaded` may be empty; see JobControl.

@@ -1,3 +1,6 @@
+#include <optional>
+
+#include "irsg/core/Collect.h"
 #include "irsg/core/FileReplacement.h"
 #include "smatcore/analysis/MonteCarlo.h"
 #include "smatcore/analysis/MonteCarloFile.h"
@@ -19,6 +22,27 @@ irsg::InputError noPart(const std::string& option, const std::filesystem::path& 
                         const std::string& expected) {
     return irsg::InputError(
         {.file = option, .position = "", .value = file.string(), .expected = expected});
+}
+
+/// With its scales read, so that they are refused before anything is drawn, and are there before
+/// inputHashes() is asked; the run says what they remark.
+SceneDescription sceneOf(const MonteCarloJob& job, SceneBuilder& scenes) {
+    job.data.options.check();
+    const Project& project = job.data.analysis.project;
+    SceneDescription scene = scenes.build(project, MonteCarlo::settingsOf(job.data.analysis));
+    std::vector<std::string> remarks;
+    sceneScalings(project, scene, remarks);
+    return scene;
+}
+
+/// All files that the run of a scenario may write.
+std::vector<std::filesystem::path> filesOf(const ScenarioMonteCarloJob& job) {
+    std::vector<std::filesystem::path> all;
+    for (const std::filesystem::path& file : job.files)
+        append(all, distributionFiles(job.run, file));
+    for (const std::filesystem::path& file : job.realisationFiles)
+        append(all, realisationFiles(job.run, file));
+    return all;
 }
 
 /// What a run in parts cannot give.
@@ -78,20 +102,46 @@ void runParts(MonteCarloJob& job, MonteCarlo& monteCarlo, const JobControl& cont
 
 } // namespace
 
+AnalysisPlan JobRunner::rehearse(MonteCarloJob& job, bool byTeam) {
+    const bool isInParts = job.isInParts || byTeam;
+    if (isInParts)
+        checkParts(job);
+    AnalysisPlan plan;
+    std::vector<irsg::Diagnostic> diagnostics;
+    irsg::collect(diagnostics, [&] {
+        const SceneDescription scene = sceneOf(job, scenes_);
+        MonteCarlo monteCarlo(door(), [&](const Project&, const Settings&) { return scene; });
+        std::optional<CaseFile> cases;
+        if (isInParts) {
+            const CasePlace place{job.files.front(), job.share, job.resumes, inputHashes()};
+            cases.emplace(CaseFile::besides(place.result, place.share), place.options());
+        }
+        plan = monteCarlo.rehearse(job.data, cases ? &*cases : nullptr);
+    });
+    // Inputs are known by now.
+    irsg::collect(diagnostics, [&] { checkOutputs(job.files); });
+    irsg::collect(diagnostics, [&] { checkOutputs(job.realisationFiles); });
+    if (!diagnostics.empty())
+        throw irsg::InputError(diagnostics);
+    return plan;
+}
+
+void JobRunner::rehearse(ScenarioMonteCarloJob& job) {
+    std::vector<irsg::Diagnostic> diagnostics;
+    irsg::collect(diagnostics, [&] { rehearseScenarioMonteCarlo(job.run, door()); });
+    irsg::collect(diagnostics, [&] { checkOutputs(filesOf(job)); });
+    if (!diagnostics.empty())
+        throw irsg::InputError(diagnostics);
+}
+
 JobOutcome JobRunner::run(MonteCarloJob& job, const JobControl& control) {
     const bool isInParts = job.isInParts || control.team != nullptr;
     if (isInParts)
         checkParts(job);
-    const Project& project = job.data.analysis.project;
     SceneDescription scene;
     {
         const StageTimer::Scope scope(control.timer, "load");
-        job.data.options.check();
-        scene = scenes_.build(project, MonteCarlo::settingsOf(job.data.analysis));
-        // Refused before anything is drawn, and read before inputHashes() is asked; the run says
-        // what it remarks.
-        std::vector<std::string> remarks;
-        sceneScalings(project, scene, remarks);
+        scene = sceneOf(job, scenes_);
     }
     checkOutputs(job.files);
     checkOutputs(job.realisationFiles);
@@ -108,10 +158,7 @@ JobOutcome JobRunner::run(MonteCarloJob& job, const JobControl& control) {
 }
 
 JobOutcome JobRunner::run(ScenarioMonteCarloJob& job, const JobControl& control) {
-    for (const auto* files : {&job.files, &job.realisationFiles})
-        for (const std::filesystem::path& file : *files)
-            irsg::checkFolderWritable(
-                file.has_parent_path() ? file.parent_path() : std::filesystem::path("."), file);
+    checkOutputs(filesOf(job));
     runScenarioMonteCarlo(job.run, door(), control.progress, control.stop, control.timer);
     JobOutcome outcome;
     const StageTimer::Scope scope(control.timer, "save");

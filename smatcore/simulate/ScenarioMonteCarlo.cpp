@@ -14,6 +14,7 @@
 #include "smatcore/project/SceneBuilder.h"
 #include "smatcore/settings/SettingKeys.h"
 #include "smatcore/simulate/FrameFiles.h"
+#include "smatcore/support/Log.h"
 #include "smatcore/support/PartialFile.h"
 
 namespace smat {
@@ -64,6 +65,26 @@ class ScenarioRun {
                  RealisationLoop::steps(run_.options.samples);
     }
 
+    /// Asks the renderer whether it would draw each step.
+    void checkSteps() const {
+        bool isAnySeen = false;
+        for (const std::size_t sensor : run_.plan.sensors) {
+            const SceneDescription& scene = run_.scenario.sensors[sensor].scene;
+            static_cast<void>(door_.description(scene));
+            for (const SimulationPlan::Step& step : run_.plan.steps) {
+                if (!generator_.sees(sensor, step.time_s))
+                    continue;
+                const PlacedCase placed = generator_.place(sensor, step.time_s).second;
+                if (placed.scene.entities.empty())
+                    continue;
+                door_.check(placed.scene, placed.view, irsg::Outputs::reports(scene.allBands()));
+                isAnySeen = true;
+            }
+        }
+        if (!isAnySeen)
+            refuseNothingSeen();
+    }
+
     void renderViews() {
         for (const std::size_t sensor : run_.plan.sensors) {
             for (std::size_t entity = 0; entity < run_.scenario.paths.size(); ++entity)
@@ -100,8 +121,7 @@ class ScenarioRun {
             series.push_back(&one);
         }
         if (parts.empty())
-            throw monteCarloRefusal("steps", "none at which a sensor sees an entity",
-                                    "at least one");
+            refuseNothingSeen();
         RealisationLoop loop(parts, *realisations_, [&](const std::vector<double>& scales) {
             std::vector<double> values;
             irsg::ScaledValues at;
@@ -170,6 +190,10 @@ class ScenarioRun {
         std::vector<std::vector<double>> nominal;                ///< by band, then by time
         std::vector<std::vector<const irsg::ScaledView*>> views; ///< the same
     };
+
+    [[noreturn]] static void refuseNothingSeen() {
+        throw monteCarloRefusal("steps", "none at which a sensor sees an entity", "at least one");
+    }
 
     Series seriesOf(std::size_t sensor, std::optional<std::size_t> entity) const {
         Series series{.sensor = sensor, .entity = entity, .data = {}, .nominal = {}, .views = {}};
@@ -278,15 +302,48 @@ void runScenarioMonteCarlo(ScenarioMonteCarlo& asked, const RenderDoor& door,
                            StageTimer* timer) {
     ScenarioRun run(asked, door, progress, std::move(stop));
     run.prepare();
+    logInfo("Monte Carlo: drawing the steps");
     {
         const StageTimer::Scope scope(timer, "draw steps");
         run.renderViews();
     }
+    logInfo("Monte Carlo: drawing scales");
     {
         const StageTimer::Scope scope(timer, "draw scales");
         run.sampleScales();
     }
     run.finish();
+}
+
+void rehearseScenarioMonteCarlo(ScenarioMonteCarlo& asked, const RenderDoor& door) {
+    const ProgressCallback none;
+    ScenarioRun run(asked, door, none, {});
+    run.prepare();
+    run.checkSteps();
+}
+
+std::vector<std::filesystem::path> distributionFiles(const ScenarioMonteCarlo& run,
+                                                     const std::filesystem::path& file) {
+    const std::vector<ScenarioEntity>& entities = run.scenario.scenario.entities;
+    std::vector<std::filesystem::path> files;
+    for (const std::size_t sensor : run.plan.sensors) {
+        ScenarioDistribution part{run.scenario.scenario.sensors[sensor].name, "", {}};
+        if (entities.size() > 1)
+            files.push_back(withLabel(file, part.label()));
+        for (const ScenarioEntity& entity : entities) {
+            part.entity = entity.name;
+            files.push_back(withLabel(file, part.label()));
+        }
+    }
+    return files;
+}
+
+std::vector<std::filesystem::path> realisationFiles(const ScenarioMonteCarlo& run,
+                                                    const std::filesystem::path& file) {
+    std::vector<std::filesystem::path> files;
+    for (const std::size_t sensor : run.plan.sensors)
+        files.push_back(withLabel(file, run.scenario.scenario.sensors[sensor].name));
+    return files;
 }
 
 std::vector<std::filesystem::path> saveDistributions(const ScenarioMonteCarlo& run,

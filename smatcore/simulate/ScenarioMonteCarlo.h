@@ -43,6 +43,16 @@ void runScenarioMonteCarlo(ScenarioMonteCarlo& run, const RenderDoor& door,
                            const ProgressCallback& progress = {}, std::stop_token stop = {},
                            StageTimer* timer = nullptr);
 
+/// Throws all that the run would refuse but for what only drawing shows; the warnings are those
+/// that there are by then.
+void rehearseScenarioMonteCarlo(ScenarioMonteCarlo& run, const RenderDoor& door);
+
+/// All that a run of this plan may write by saveDistributions of `file`, and by
+/// saveScenarioRealisations.
+std::vector<std::filesystem::path> distributionFiles(const ScenarioMonteCarlo& run,
+                                                     const std::filesystem::path& file);
+std::vector<std::filesystem::path> realisationFiles(const ScenarioMonteCarlo& run,
+                                                    const std::filesystem::path& file);
 /// Writes the bands of each part, FILE-mwir-near.csv, or everything of it as .json. Returns the
 /// files. Throws InputError.
 std::vector<std::filesystem::path> saveDistributions(const ScenarioMonteCarlo& run,

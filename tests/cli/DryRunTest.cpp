@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "irsg/signature/ScalingXml.h"
 #include "tests/cli/Program.h"
 #include "tests/cli/Scenarios.h"
 #include "tests/support/TemporaryFolder.h"
@@ -21,18 +22,13 @@ using testing::HasSubstr;
 class Rehearsal : public testing::Test {
   protected:
     Rehearsal() {
-        for (const char* name : {"box.flt", "box.sigdb"}) {
-            fs::copy(sample(std::string("box/") + name), folder_ / name);
-        }
+        copyScaledBox(folder_.path());
         project_ = {{"version", 1},
                     {"models", {{{"name", "box"}, {"file", "box.flt"}, {"database", "box.sigdb"}}}},
                     {"sensor", {{"width", 16}, {"height", 16}}},
                     {"render", {{"bounces", 0}}},
                     {"analyses", {{"look", {{"kind", "image"}}}}}};
-        scenario_ = nlohmann::json::parse(scenarioOf(
-            R"({"name": "box", "model": "box.flt", "database": "box.sigdb",
-                "position_m": [0, 5000, 100]})",
-            south, R"("dt_s": 1, "end_s": 1)"));
+        scenario_ = nlohmann::json::parse(scenarioOf(ownBox, south, R"("dt_s": 1, "end_s": 1)"));
         save();
     }
     void save() {
@@ -88,6 +84,9 @@ const std::vector<Words>& commands() {
         {"run", "p.smat", "--out", "results"},
         {"cost-accuracy", "p.smat", "--repeats", "1", "--out", "r.csv"},
         {"detection", "p.smat", "--sensor", sensor, "--out", "r.csv"},
+        {"montecarlo", "p.smat", "--samples", "4", "--out", "r.csv"},
+        {"montecarlo", "p.smat", "--samples", "4", "--shard", "1/2", "--out", "r.csv"},
+        {"montecarlo", "s.json", "--samples", "4", "--out", "m.csv"},
         {"simulate", "s.json", "--out", "frames"}};
     return all;
 }
@@ -165,9 +164,10 @@ TEST_F(Rehearsal, RefusesPlacesThatCannotBeWritten) {
             expectRefusedAlike(words, "a place where no folder can be made");
             continue;
         }
+        const bool isOneTable = words.back() == "r.csv";
         words.back() = "nowhere/r" + ending;
         expectRefusedAlike(words, "a folder that does not exist");
-        if (ending == ".csv") {
+        if (isOneTable) {
             words.back() = "taken.csv";
             expectRefusedAlike(words, "a folder");
             words.back() = "protected.csv";
@@ -213,7 +213,8 @@ TEST_F(Rehearsal, RefusesWhatOnlyTheSceneShows) {
     save();
     for (const Words& words : commands()) {
         // Those that take their elevations from the sweep see it.
-        if (words.front() != "polar" && words.front() != "detection") {
+        const bool isTurned = words.front() == "montecarlo" && words[1] == "p.smat";
+        if (words.front() != "polar" && words.front() != "detection" && !isTurned) {
             expectRefusedAlike(words, "at least 0 m");
         }
     }
@@ -241,9 +242,57 @@ TEST_F(Rehearsal, RefusesAFilmWithoutAPlaceForIt) {
 }
 
 TEST_F(Rehearsal, RefusesToGoOnWithCasesOfAnotherSweep) {
-    const Words sweep = {"polar", "p.smat", "--step", "120", "--out", "r.csv", "--resume"};
     write(folder_ / "r.csv.cases", "{\"format\": 1}\n");
-    expectRefusedAlike(sweep, "r.csv.cases");
+    for (Words words :
+         {Words{"polar", "p.smat"}, Words{"montecarlo", "p.smat", "--samples", "4"}}) {
+        words.insert(words.end(), {"--set", "polar.step=120", "--out", "r.csv", "--resume"});
+        expectRefusedAlike(words, "r.csv.cases");
+    }
+}
+
+TEST_F(Rehearsal, OfMonteCarloRefusesWhatCannotBeDrawn) {
+    const Words ofProject = {"montecarlo", "p.smat", "--out", "r.csv"};
+    const Words ofScenario = {"montecarlo", "s.json", "--out", "m.csv"};
+    const auto with = [](Words words, const Words& more) {
+        words.insert(words.end(), more.begin(), more.end());
+        return words;
+    };
+    for (const Words& words : {ofProject, ofScenario}) {
+        expectRefusedAlike(with(words, {"--samples", "1"}), "a whole number from 2");
+    }
+    expectRefusedAlike(with(ofProject, {"--analysis", "look"}), "an image");
+    expectRefusedAlike(with(ofProject, {"--shard", "1/2", "--ranking"}), "ranking");
+    expectRefusedAlike(with(ofProject, {"--shard", "1/2", "--draws", "d.csv"}), "--draws");
+    expectRefusedAlike(with(ofProject, {"--samples", "10000000"}), "values in all");
+    // Files of a scenario have the names of its parts.
+    fs::create_directory(folder_ / "m-south-box.csv");
+    expectRefusedAlike(ofScenario, "m-south-box.csv");
+    fs::remove(folder_ / "m-south-box.csv");
+    fs::create_directory(folder_ / "d-south.csv");
+    expectRefusedAlike(with(ofScenario, {"--draws", "d.csv"}), "d-south.csv");
+    fs::remove(folder_ / "d-south.csv");
+    fs::remove(irsg::scalingFile(folder_ / "box.flt", irsg::ScalingKind::emissivity));
+    expectRefusedAlike(ofProject, "scaling file");
+    expectRefusedAlike(ofScenario, "scaling file");
+}
+
+TEST_F(Rehearsal, OfMonteCarloSaysHowManyCasesAndDraws) {
+    const auto plansOf = [&](const Words& words) {
+        const Ran ran = smatBatch(words, folder_.path());
+        EXPECT_EQ(ran.exitCode, 0) << ran.err;
+        return nlohmann::json::parse(ran.out)["plans"];
+    };
+    const auto ofProject = plansOf({"montecarlo", "p.smat", "--set", "polar.step=120", "--samples",
+                                    "300", "--dry-run", "--json"});
+    ASSERT_EQ(ofProject.size(), 1u);
+    EXPECT_EQ(ofProject[0]["kind"], "polar");
+    EXPECT_EQ(ofProject[0]["cases"], 3);
+    EXPECT_EQ(ofProject[0]["draws"], 300);
+    const auto ofScenario = plansOf({"montecarlo", "s.json", "--dry-run", "--json"});
+    ASSERT_EQ(ofScenario.size(), 1u);
+    EXPECT_EQ(ofScenario[0]["sensor"], "south");
+    EXPECT_EQ(ofScenario[0]["steps"], 2);
+    EXPECT_EQ(ofScenario[0]["draws"], 1024);
 }
 
 } // namespace

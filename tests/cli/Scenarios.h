@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "irsg/image/ExrFile.h"
+#include "irsg/signature/ScalingXml.h"
 #include "tests/cli/Program.h"
 #include "tests/support/TemporaryFolder.h"
 
@@ -27,6 +28,19 @@ inline std::string entity(const std::string& name, const std::string& kind,
     return R"({"name": ")" + name + R"(", "model": ")" + base + R"(.flt", "database": ")" + base +
            R"(.sigdb", )" + place + "}";
 }
+
+/// Copies the sample box into a folder, with a scale of its emissivity.
+inline void copyScaledBox(const std::filesystem::path& folder) {
+    for (const char* name : {"box.flt", "box.sigdb"}) {
+        std::filesystem::copy(sample("box") / name, folder / name);
+    }
+    const irsg::Distribution scale(irsg::DistributionKind::uniform, 0.9, 1.0);
+    write(irsg::scalingFile(folder / "box.flt", irsg::ScalingKind::emissivity),
+          irsg::scalingXml({{1, {scale, ""}}}));
+}
+/// That of a copy.
+inline const char* const ownBox =
+    R"({"name": "box", "model": "box.flt", "database": "box.sigdb", "position_m": [0, 5000, 100]})";
 
 inline const char* const south = R"({"name": "south", "position_m": [0, 0, 100]})";
 
