@@ -6,6 +6,7 @@
 #include "apps/smat-batch/Command.h"
 #include "apps/smat-batch/NumberOptions.h"
 #include "apps/smat-batch/Output.h"
+#include "apps/smat-batch/StopSignal.h"
 #include "irsg/core/Collect.h"
 #include "irsg/radiometry/Band.h"
 #include "smatcore/tools/PlumeModel.h"
@@ -55,6 +56,7 @@ class PlumeCommand {
                                             : roundJetFromText(jet_, "--jet").table(),
                                request);
         }
+        catchStopSignal(); // model, codes and database are those of one plume
         const StageTimer::Scope scope(&context.timer, "save");
         const auto files = savePlume(plume, out_);
         if (context.json)
