@@ -32,6 +32,11 @@ namespace fs = std::filesystem;
            "a file that may be read");
 }
 
+[[noreturn]] void refuseTooLarge(const fs::path& file, const std::string& size_B,
+                                 std::uint64_t most_B) {
+    refuse(file, size_B + " bytes", "at most " + std::to_string(most_B >> 20) + " MiB");
+}
+
 using Identity = std::pair<dev_t, ino_t>;
 
 struct Inputs {
@@ -79,6 +84,16 @@ class OpenFile {
 
     std::uint64_t size() const { return static_cast<std::uint64_t>(status_.st_size); }
 
+    /// What follows, in the room of `piece`; empty at the end of the file.
+    std::string_view next(std::string& piece) const {
+        for (;;) {
+            const ssize_t count = ::read(descriptor_, piece.data(), piece.size());
+            if (count >= 0)
+                return std::string_view(piece).substr(0, static_cast<std::size_t>(count));
+            if (errno != EINTR)
+                refuse(file_, errno);
+        }
+    }
     /// At most `most` bytes, fewer at the end of the file.
     std::string read(std::size_t most) const {
         constexpr std::size_t piece = 4096;
@@ -110,15 +125,27 @@ class OpenFile {
 
 std::string readFile(const fs::path& file, std::uint64_t most_B) {
     const OpenFile open(file);
-    const auto tooLarge = [&](const std::string& size) {
-        refuse(file, size + " bytes", "at most " + std::to_string(most_B >> 20) + " MiB");
-    };
     if (open.size() > most_B)
-        tooLarge(std::to_string(open.size()));
+        refuseTooLarge(file, std::to_string(open.size()), most_B);
     std::string bytes = open.read(static_cast<std::size_t>(most_B) + 1);
     if (bytes.size() > most_B)
-        tooLarge("more than " + std::to_string(most_B));
+        refuseTooLarge(file, "more than " + std::to_string(most_B), most_B);
     return bytes;
+}
+
+void readFileInPieces(const fs::path& file, const std::function<void(std::string_view)>& take,
+                      std::uint64_t most_B) {
+    const OpenFile open(file);
+    if (open.size() > most_B)
+        refuseTooLarge(file, std::to_string(open.size()), most_B);
+    std::string piece(std::size_t{1} << 20, '\0');
+    std::uint64_t read_B = 0;
+    for (std::string_view next = open.next(piece); !next.empty(); next = open.next(piece)) {
+        read_B += next.size();
+        if (read_B > most_B)
+            refuseTooLarge(file, "more than " + std::to_string(most_B), most_B);
+        take(next);
+    }
 }
 
 std::string readFileBeginning(const fs::path& file, std::size_t size) {

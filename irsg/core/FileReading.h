@@ -2,7 +2,9 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace irsg {
@@ -13,6 +15,12 @@ constexpr std::uint64_t largestFile_B = std::uint64_t{1} << 30;
 /// The whole of a regular file. Throws InputError where it is missing, no regular file (a folder, a
 /// device, a pipe), larger than `most_B`, or cannot be read to its end.
 std::string readFile(const std::filesystem::path& file, std::uint64_t most_B = largestFile_B);
+
+/// The same in pieces of at most 1 MiB, each given to `take` and forgotten: for what follows from
+/// the bytes of large files.
+void readFileInPieces(const std::filesystem::path& file,
+                      const std::function<void(std::string_view)>& take,
+                      std::uint64_t most_B = largestFile_B);
 
 /// Its first bytes, at most `size`. Throws as readFile() does, whatever the size of the file.
 std::string readFileBeginning(const std::filesystem::path& file, std::size_t size);

@@ -71,29 +71,47 @@ void digestBlock(std::string_view block, State& state) {
 
 } // namespace
 
-std::string sha256(std::string_view bytes) {
-    State state = initialState;
-    const std::size_t whole = bytes.size() - bytes.size() % blockBytes;
-    for (std::size_t at = 0; at < whole; at += blockBytes)
-        digestBlock(bytes.substr(at, blockBytes), state);
+Sha256::Sha256() : state_(initialState) {}
 
+void Sha256::add(std::string_view bytes) {
+    added_B_ += bytes.size();
+    if (!rest_.empty()) {
+        const std::string_view fills = bytes.substr(0, blockBytes - rest_.size());
+        rest_ += fills;
+        bytes.remove_prefix(fills.size());
+        if (rest_.size() < blockBytes)
+            return;
+        digestBlock(rest_, state_);
+        rest_.clear();
+    }
+    for (; bytes.size() >= blockBytes; bytes.remove_prefix(blockBytes))
+        digestBlock(bytes.substr(0, blockBytes), state_);
+    rest_ = bytes;
+}
+
+std::string Sha256::text() {
     // Padding: a one bit, zeros, and the length in bits as 64 bits (5.1.1).
-    std::string tail(bytes.substr(whole));
-    tail += '\x80';
+    std::string tail = rest_ + '\x80';
     while (tail.size() % blockBytes != blockBytes - 8)
         tail += '\0';
-    const auto bits = static_cast<std::uint64_t>(bytes.size()) * 8;
+    const std::uint64_t bits = added_B_ * 8;
     for (int shift = 56; shift >= 0; shift -= 8)
         tail += static_cast<char>(bits >> shift & 0xff);
     for (std::size_t at = 0; at < tail.size(); at += blockBytes)
-        digestBlock(std::string_view(tail).substr(at, blockBytes), state);
+        digestBlock(std::string_view(tail).substr(at, blockBytes), state_);
 
     constexpr std::string_view digits = "0123456789abcdef";
     std::string text;
-    for (const Word word : state)
+    for (const Word word : state_)
         for (int shift = 28; shift >= 0; shift -= 4)
             text += digits[word >> shift & 0xf];
     return text;
+}
+
+std::string sha256(std::string_view bytes) {
+    Sha256 hash;
+    hash.add(bytes);
+    return hash.text();
 }
 
 } // namespace irsg

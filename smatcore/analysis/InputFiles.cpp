@@ -114,7 +114,9 @@ std::string fileHash(const fs::path& file) {
         if (found != known.end() && found->second.first == stamp->text())
             return found->second.second;
     }
-    const std::string hash = irsg::sha256(irsg::readFile(file));
+    irsg::Sha256 ofBytes;
+    irsg::readFileInPieces(file, [&](std::string_view bytes) { ofBytes.add(bytes); });
+    const std::string hash = ofBytes.text();
     if (stamp) {
         const std::scoped_lock lock(mutex);
         known[file] = {stamp->text(), hash};

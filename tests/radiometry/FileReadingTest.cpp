@@ -31,6 +31,27 @@ TEST(FileReading, GivesTheWholeOrTheBeginning) {
     EXPECT_EQ(readFile("/proc/self/statm").empty(), false) << "of no size that is known before";
 }
 
+TEST(FileReading, GivesPiecesOfAFileInTheirOrder) {
+    const TemporaryFolder folder;
+    std::string bytes;
+    for (int i = 0; i < 3'000'000; ++i) {
+        bytes += static_cast<char>(i * 7 % 253);
+    }
+    const auto inPieces = [](const std::filesystem::path& file) {
+        std::string all;
+        readFileInPieces(file, [&](std::string_view piece) {
+            EXPECT_LE(piece.size(), std::size_t{1} << 20);
+            all += piece;
+        });
+        return all;
+    };
+    for (const std::size_t size : {0, 1, 1 << 20, (1 << 20) + 1, 3'000'000}) {
+        writeFileDurably(folder / "a", bytes.substr(0, size));
+        EXPECT_EQ(inPieces(folder / "a"), bytes.substr(0, size));
+    }
+    EXPECT_FALSE(inPieces("/proc/self/statm").empty()) << "of no size that is known before";
+}
+
 TEST(FileReading, RefusesWhatHasNoEndOrIsNoFile) {
     const TemporaryFolder folder;
     ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
@@ -45,10 +66,17 @@ TEST(FileReading, RefusesWhatHasNoEndOrIsNoFile) {
         EXPECT_THAT(refusalOf([&] { readFile(row.file); }),
                     AllOf(HasSubstr(row.file.string()), HasSubstr(row.value)));
         EXPECT_THAT(refusalOf([&] { readFileBeginning(row.file, 4); }), HasSubstr(row.value));
+        EXPECT_THAT(refusalOf([&] { readFileInPieces(row.file, [](std::string_view) {}); }),
+                    HasSubstr(row.value));
     }
     writeFileDurably(folder / "a", std::string(3 << 20, 'x'));
     EXPECT_EQ(readFile(folder / "a", 3 << 20).size(), std::size_t{3} << 20);
     EXPECT_THAT(refusalOf([&] { readFile(folder / "a", (3 << 20) - 1); }),
+                AllOf(HasSubstr("3145728 bytes"), HasSubstr("at most 2 MiB")));
+    EXPECT_THAT(refusalOf([&] {
+                    readFileInPieces(
+                        folder / "a", [](auto) {}, (3 << 20) - 1);
+                }),
                 AllOf(HasSubstr("3145728 bytes"), HasSubstr("at most 2 MiB")));
 }
 

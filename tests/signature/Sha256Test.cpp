@@ -48,5 +48,20 @@ INSTANTIATE_TEST_SUITE_P(
                "f5a5fd42d16a20302798ef6ed309979b43003d2320d9f0e8ea9831a92759fb4b"}),
     [](const auto& row) { return row.param.name; });
 
+TEST(Sha256, IsThatOfTheWholeHoweverItsPiecesAreCut) {
+    std::string bytes;
+    for (int i = 0; i < 1000; ++i) {
+        bytes += static_cast<char>(i * i % 251);
+    }
+    for (const std::size_t piece : {1, 7, 63, 64, 65, 128, 999, 1000}) {
+        Sha256 hash;
+        for (std::size_t at = 0; at < bytes.size(); at += piece) {
+            hash.add(std::string_view(bytes).substr(at, piece));
+            hash.add("");
+        }
+        EXPECT_EQ(hash.text(), sha256(bytes)) << piece;
+    }
+}
+
 } // namespace
 } // namespace irsg
