@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <span>
+#include <vector>
 
 #include "irsg/radiometry/Units.h"
 #include "tests/support/SceneFixtures.h"
@@ -54,6 +56,53 @@ TEST(MeshPieces, HoldEveryTriangleOnceWithItsCodes) {
             BoundingBox with = piece.bounds;
             with.include(toVec3(cut.partOf(piece).vertices[corner]));
             EXPECT_EQ(with, piece.bounds);
+        }
+    }
+}
+
+// Rows of facets at equal places along an axis: the order is that of sorting again and again.
+TEST(MeshPieces, AreInTheOrderOfStableSortsAlongTheLongestSides) {
+    Mesh cut = meshOf(modelOf(sphereMesh(1.0, 40, 120, {1, 1}))->mesh()->parts);
+    ASSERT_EQ(cut.parts.size(), 1u);
+    using Corners = std::array<unsigned, 3>;
+    const auto middleOf = [&](const Corners& corners, std::size_t axis) {
+        const std::vector<Float3>& v = cut.parts[0].vertices;
+        return (v[corners[0]][axis] + v[corners[1]][axis] + v[corners[2]][axis]) / 3.0f;
+    };
+    std::vector<Corners> all;
+    for (std::size_t i = 0; i < cut.parts[0].triangles.size(); i += 3) {
+        all.push_back({cut.parts[0].triangles[i], cut.parts[0].triangles[i + 1],
+                       cut.parts[0].triangles[i + 2]});
+    }
+    std::vector<std::size_t> sizes;
+    const std::size_t most = std::max(mostTriangles, all.size() / 128);
+    const auto halve = [&](auto& self, std::span<Corners> some) -> void {
+        if (some.size() <= most) {
+            sizes.push_back(some.size());
+            return;
+        }
+        std::array<float, 3> sides{};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const auto [low, high] = std::ranges::minmax(
+                some, {}, [&](const Corners& corners) { return middleOf(corners, axis); });
+            sides[axis] = middleOf(high, axis) - middleOf(low, axis);
+        }
+        const auto axis = static_cast<std::size_t>(std::ranges::max_element(sides) - sides.begin());
+        std::ranges::stable_sort(some, {},
+                                 [&](const Corners& corners) { return middleOf(corners, axis); });
+        self(self, some.first(some.size() / 2));
+        self(self, some.subspan(some.size() / 2));
+    };
+    halve(halve, std::span(all));
+    ASSERT_GT(sizes.size(), 4u);
+    cutIntoPieces(cut);
+    ASSERT_EQ(cut.pieces.size(), sizes.size());
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+        EXPECT_EQ(cut.pieces[i].count, 3 * sizes[i]);
+    }
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            ASSERT_EQ(cut.parts[0].triangles[3 * i + k], all[i][k]) << i;
         }
     }
 }

@@ -79,24 +79,32 @@ unsigned int SurfaceMesh::ColourNumbers::of(const osg::Vec4& colour) {
     return lastNumber_;
 }
 
-unsigned int SurfaceMesh::VertexTable::index(Part& part, const PolygonCorner& corner,
-                                             unsigned int colour) {
+SurfaceMesh::VertexTable::Vertex::Vertex(const PolygonCorner& corner, unsigned int ofColour)
+    : place(withOneZero(corner.position)),
+      normal(withOneZero(corner.normal)),
+      colour(ofColour),
+      hash(static_cast<std::uint32_t>(hashOf(place, normal, colour))) {}
+
+void SurfaceMesh::VertexTable::prepare(const Vertex& vertex) const {
+    if (!slots_.empty())
+        __builtin_prefetch(&slots_[vertex.hash >> shift_]);
+}
+
+unsigned int SurfaceMesh::VertexTable::index(Part& part, const Vertex& vertex) {
     if (2 * part.vertices.size() >= slots_.size())
         grow();
-    const Float3 p = withOneZero(corner.position), n = withOneZero(corner.normal);
-    const auto hash = static_cast<std::uint32_t>(hashOf(p, n, colour));
-    std::size_t slot = hash >> shift_;
+    std::size_t slot = vertex.hash >> shift_;
     for (; slots_[slot].number != 0; slot = (slot + 1) & (slots_.size() - 1)) {
         const unsigned int known = slots_[slot].number - 1;
-        if (slots_[slot].hash == hash && areSame(part.vertices[known], p) &&
-            areSame(part.normals[known], n) && part.colourOf[known] == colour)
+        if (slots_[slot].hash == vertex.hash && areSame(part.vertices[known], vertex.place) &&
+            areSame(part.normals[known], vertex.normal) && part.colourOf[known] == vertex.colour)
             return known;
     }
-    part.vertices.push_back(p);
-    part.normals.push_back(n);
-    part.colourOf.push_back(colour);
-    part.bounds.include(toVec3(p));
-    slots_[slot] = {static_cast<unsigned int>(part.vertices.size()), hash};
+    part.vertices.push_back(vertex.place);
+    part.normals.push_back(vertex.normal);
+    part.colourOf.push_back(vertex.colour);
+    part.bounds.include(toVec3(vertex.place));
+    slots_[slot] = {static_cast<unsigned int>(part.vertices.size()), vertex.hash};
     return slots_[slot].number - 1;
 }
 
@@ -129,11 +137,15 @@ void SurfaceMesh::add(const Mesh::Kind& kind, std::vector<PolygonCorner>& corner
     VertexTable& table = tables_[kind];
     ++part.polygons;
     part.area_m2 += cut.area;
+    ofPolygon_.clear();
+    for (const PolygonCorner& corner : corners) {
+        ofPolygon_.emplace_back(corner, colours_.of(corner.colour));
+        table.prepare(ofPolygon_.back());
+    }
     for (const auto& triangle : cut.triangles) {
         part.polygonOf.push_back(polygons_);
         for (const auto corner : triangle)
-            part.triangles.push_back(
-                table.index(part, corners[corner], colours_.of(corners[corner].colour)));
+            part.triangles.push_back(table.index(part, ofPolygon_[corner]));
     }
     ++polygons_;
 }
@@ -157,7 +169,7 @@ void SurfaceMesh::setLayers(const std::vector<int>& layers) {
                 PolygonCorner corner;
                 corner.position = places[k] = toOsg(part.vertices[vertex]);
                 corner.normal = toOsg(part.normals[vertex]);
-                into.triangles.push_back(table.index(into, corner, part.colourOf[vertex]));
+                into.triangles.push_back(table.index(into, {corner, part.colourOf[vertex]}));
             }
             into.area_m2 += 0.5 * ((places[1] - places[0]) ^ (places[2] - places[0])).length();
             into.polygons += polygon != std::exchange(last, polygon);

@@ -42,8 +42,16 @@ class SurfaceMesh {
     /// a vertex, which are those of a look at one place in memory.
     class VertexTable {
       public:
+        struct Vertex {
+            Vertex(const PolygonCorner& corner, unsigned int ofColour);
+            Float3 place, normal;
+            unsigned int colour;
+            std::uint32_t hash;
+        };
+        /// Fetches the place in memory that index() looks at, while others are looked at.
+        void prepare(const Vertex& vertex) const;
         /// The number of the vertex in the part, to whose arrays a new one is appended.
-        unsigned int index(Part& part, const PolygonCorner& corner, unsigned int colour);
+        unsigned int index(Part& part, const Vertex& vertex);
 
       private:
         struct Slot {
@@ -69,6 +77,7 @@ class SurfaceMesh {
     ColourNumbers colours_;
     std::map<Mesh::Kind, Part> parts_;
     std::map<Mesh::Kind, VertexTable> tables_;
+    std::vector<VertexTable::Vertex> ofPolygon_; ///< of the one that is added
     unsigned int polygons_ = 0;
     long degenerate_ = 0, normalsMade_ = 0, normalsTurned_ = 0, folded_ = 0;
 };

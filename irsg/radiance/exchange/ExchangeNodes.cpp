@@ -101,7 +101,6 @@ struct ExchangeNodes::OfPiece {
     std::vector<double> apart_m;          ///< by vertex: how far nodes may be
     std::vector<std::size_t> nodes;       ///< places among the vertices
     std::uint32_t firstNode = 0;          ///< number of the first of them
-    std::size_t outside = 0;              ///< how many of them turn to no space inside
     std::vector<double> surface_m2;       ///< by vertex: of all that one can go to
     std::vector<std::uint32_t> coveredBy; ///< by vertex: among the nodes
     std::vector<FewNodes> shares;         ///< by vertex
@@ -117,9 +116,11 @@ ExchangeNodes::ExchangeNodes(std::shared_ptr<const ExchangeMesh> mesh,
 
 void ExchangeNodes::findSmoothing() {
     std::vector<double> around_m2(mesh_->vertices().size());
-    for (std::uint32_t cell = 0; cell < mesh_->cells(); ++cell)
+    for (std::uint32_t cell = 0; cell < mesh_->cells(); ++cell) {
+        const double ofCorner_m2 = mesh_->area_m2(cell) / 3.0;
         for (const std::uint32_t corner : mesh_->corners(cell))
-            around_m2[corner] += mesh_->area_m2(cell) / 3.0;
+            around_m2[corner] += ofCorner_m2;
+    }
     // Nodes are near few others: of each pair the parts are summed as they come.
     std::vector<std::vector<LightPart>> parts(nodes());
     const auto add = [&](const LightPart& part) {
@@ -253,8 +254,7 @@ bool ExchangeNodes::placeAll(std::vector<OfPiece>& pieces, const ExchangeMesh& m
     std::atomic<std::size_t> outside = 0;
     parallelFor(pieces.size(), [&](std::size_t p) {
         if (outside <= most)
-            place(pieces[p], mesh, spacing, most);
-        outside += pieces[p].outside;
+            place(pieces[p], mesh, spacing, most, outside);
     });
     return outside <= most;
 }
@@ -294,7 +294,7 @@ void ExchangeNodes::placeSenders(std::vector<OfPiece>& pieces, NodeSpacing spaci
 }
 
 void ExchangeNodes::place(OfPiece& piece, const ExchangeMesh& mesh, const NodeSpacing& spacing,
-                          std::size_t most) {
+                          std::size_t most, std::atomic<std::size_t>& outside) {
     const auto vertexAt = [&](std::size_t i) -> const ExchangeMesh::Vertex& {
         return mesh.vertices()[piece.first + i];
     };
@@ -314,7 +314,6 @@ void ExchangeNodes::place(OfPiece& piece, const ExchangeMesh& mesh, const NodeSp
     piece.nodes.clear();
     constexpr auto nobody = std::numeric_limits<std::uint32_t>::max();
     piece.coveredBy.assign(piece.count, nobody);
-    piece.outside = 0;
     std::map<std::uint32_t, std::vector<std::size_t>> inside; // by space
     for (std::size_t i = 0; i < piece.count; ++i)
         if (vertexAt(i).space != 0)
@@ -340,7 +339,7 @@ void ExchangeNodes::place(OfPiece& piece, const ExchangeMesh& mesh, const NodeSp
                 piece.coveredBy[at] = node;
             continue;
         }
-        if (++piece.outside > most)
+        if (++outside > most)
             return;
         const auto cover = [&](std::size_t at, double most_m, double distance_m) {
             if (piece.coveredBy[at] == nobody && distance_m < most_m &&

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -125,8 +126,9 @@ class ExchangeNodes {
     /// all placed.
     static bool placeAll(std::vector<OfPiece>& pieces, const ExchangeMesh& mesh,
                          const NodeSpacing& spacing, std::size_t most);
+    /// `outside` counts nodes of all pieces that turn to no space inside.
     static void place(OfPiece& piece, const ExchangeMesh& mesh, const NodeSpacing& spacing,
-                      std::size_t most);
+                      std::size_t most, std::atomic<std::size_t>& outside);
     static void share(OfPiece& piece, const ExchangeMesh& mesh);
     void takeShares(std::vector<OfPiece>& pieces);
     void placeSenders(std::vector<OfPiece>& pieces, NodeSpacing spacing,

@@ -1,6 +1,7 @@
 #include "irsg/radiance/exchange/SurfaceWays.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace irsg {
 
@@ -19,6 +20,7 @@ void SurfaceWays::find(std::size_t from, double most_m) {
     const double longest_m = detour * most_m;
     const double step_m =
         std::max(stepOfEdge * meanEdge_m(from), longest_m / static_cast<double>(mostSteps));
+    const double stepsPer_m = 1.0 / step_m;
     const Vec3 from_m = atOf(from);
     ++turn_;
     reached_.assign(1, static_cast<std::uint32_t>(from));
@@ -34,11 +36,17 @@ void SurfaceWays::find(std::size_t from, double most_m) {
             for (const std::uint32_t vertex : mesh_.beside(first_ + here.place)) {
                 const std::uint32_t next = vertex - first_;
                 Way& known = ways_[next];
-                if (known.turn == turn_ && here.way_m >= known.way_m)
+                const bool isKnown = known.turn == turn_;
+                const double shorter_m = known.way_m - here.way_m;
+                if (isKnown && shorter_m <= 0.0)
                     continue;
                 const Vec3& next_m = atOf(next);
-                const double way_m = here.way_m + plainLength(next_m - here_m);
-                if (way_m > longest_m || (known.turn == turn_ && way_m >= known.way_m))
+                const Vec3 edge = next_m - here_m;
+                const double square_m2 = product(edge, edge);
+                if (isKnown && square_m2 > above * shorter_m * shorter_m)
+                    continue;
+                const double way_m = here.way_m + std::sqrt(square_m2);
+                if (way_m > longest_m || (isKnown && way_m >= known.way_m))
                     continue;
                 // Who is so far away comes back to nobody that is near enough in the rest of the
                 // way.
@@ -46,10 +54,10 @@ void SurfaceWays::find(std::size_t from, double most_m) {
                 const Vec3 apart = next_m - from_m;
                 if (product(apart, apart) > above * mostApart_m * mostApart_m)
                     continue;
-                if (known.turn != turn_)
+                if (!isKnown)
                     reached_.push_back(next);
                 known = {way_m, turn_};
-                const auto to = static_cast<std::size_t>(way_m / step_m);
+                const auto to = static_cast<std::size_t>(way_m * stepsPer_m);
                 last = std::max(last, to);
                 if (to >= open_.size())
                     open_.resize(to + 1);

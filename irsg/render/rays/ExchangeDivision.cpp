@@ -17,8 +17,6 @@ constexpr std::size_t mostProbed = 200'000;
 constexpr std::uint32_t fewRays = 16, someRays = 32, manyRays = 256;
 constexpr std::size_t manyParts = 20'000;
 constexpr double nearest = 0.02; ///< that counts, of the longest edge
-/// Facets that are looked at until one is found that a side may see.
-constexpr std::size_t mostLooks = 256;
 /// What is no higher above a side than this part of its own size casts a sharp shadow on it.
 constexpr double lowPart = 0.1;
 /// How high anything is looked for above a side, of its longest edge.
@@ -30,14 +28,59 @@ double areaOf_m2(const Triangle3& c) {
 
 } // namespace
 
+BoundingBox ExchangeMesh::Making::boxAbove(const Facet& own, std::uint32_t side) const {
+    const Vec3 up = normalOf(own, side);
+    BoundingBox box = BoundingBox::nowhere();
+    const Vec3 margin{2.0 * lift_m, 2.0 * lift_m, 2.0 * lift_m};
+    for (const Vec3& corner : own.corners_m) {
+        box.include(corner - margin);
+        box.include(corner + margin);
+        box.include(corner + up * (mostHeight * own.longest_m));
+    }
+    return box;
+}
+
+void ExchangeMesh::Making::findNeighbours(const Facet& own, std::uint32_t facet,
+                                          const FacetTree& tree,
+                                          std::vector<Neighbour>& found) const {
+    found.clear();
+    const std::array<BoundingBox, 2> above{boxAbove(own, 2 * facet), boxAbove(own, 2 * facet + 1)};
+    BoundingBox both = above[0];
+    both.include(above[1]);
+    const double along_m = product(own.normal, own.corners_m[0]);
+    const std::array<std::uint32_t, 3>& ownPlaces = places[facet];
+    tree.forEachTouching(both, [&](std::uint32_t number, const FacetTree::Box& box) {
+        std::size_t common = 0;
+        for (const std::uint32_t place : places[number])
+            for (const std::uint32_t ownPlace : ownPlaces)
+                common += place == ownPlace ? 1 : 0;
+        if (number == facet || common >= 2)
+            return;
+        Neighbour one{number, {}, cornersOf(number), {}};
+        for (std::size_t i = 0; i < 3; ++i)
+            one.along_m[i] = product(own.normal, one.corners_m[i]);
+        one.isNear = {std::ranges::max(one.along_m) - (along_m + lift_m) > 0.0 &&
+                          FacetTree::touch(box, above[0]),
+                      -std::ranges::min(one.along_m) - (-along_m + lift_m) > 0.0 &&
+                          FacetTree::touch(box, above[1])};
+        if (one.isNear[0] || one.isNear[1])
+            found.push_back(one);
+    });
+    std::ranges::sort(found, {}, &Neighbour::facet);
+}
+
 /// Walls: where facets cross the plane that rays from a side begin in. Facets in that of the side
 /// itself do not, as of a box that stands on it; its walls do. The outline of what lies close above
 /// the side is one, too: below it all is dark, beside it nothing.
-std::vector<FacetDivision::Line> ExchangeMesh::Making::wallsOn(std::uint32_t side,
-                                                               const FacetTree& tree) const {
-    const Facet own = facetOf(side / 2);
-    const Vec3 up = normalOf(own, side);
-    const double offset_m = product(up, own.corners_m[0]) + lift_m;
+std::vector<FacetDivision::Line>
+ExchangeMesh::Making::wallsOn(std::uint32_t side, const Facet& own,
+                              std::span<const Neighbour> neighbours) const {
+    std::vector<FacetDivision::Line> walls;
+    if (std::ranges::none_of(neighbours,
+                             [&](const Neighbour& one) { return one.isNear[side % 2]; }))
+        return walls;
+    const double turn = side % 2 == 0 ? 1.0 : -1.0;
+    const double offset_m = turn * product(own.normal, own.corners_m[0]) + lift_m;
     const Vec3 b = own.corners_m[1] - own.corners_m[0], c = own.corners_m[2] - own.corners_m[0];
     const Vec3 across = crossed(b, c);
     const double square = product(across, across);
@@ -46,32 +89,14 @@ std::vector<FacetDivision::Line> ExchangeMesh::Making::wallsOn(std::uint32_t sid
         return FacetPlace{product(crossed(from, c), across) / square,
                           product(crossed(b, from), across) / square};
     };
-    BoundingBox box = BoundingBox::nowhere();
-    const Vec3 margin{2.0 * lift_m, 2.0 * lift_m, 2.0 * lift_m};
-    for (const Vec3& corner : own.corners_m) {
-        box.include(corner - margin);
-        box.include(corner + margin);
-        box.include(corner + up * (mostHeight * own.longest_m));
-    }
-    const double tolerance = toleranceOf(side);
-    std::vector<FacetDivision::Line> walls;
-    std::vector<std::uint32_t> found;
-    found.reserve(64);
-    tree.forEachTouching(box, [&](std::uint32_t number) { found.push_back(number); });
-    std::ranges::sort(found);
-    for (const std::uint32_t number : found) {
-        std::size_t common = 0;
-        for (const std::uint32_t place : places[number])
-            for (const std::uint32_t ownPlace : places[side / 2])
-                common += place == ownPlace ? 1 : 0;
-        if (number == side / 2 || common >= 2)
+    const double tolerance = toleranceOf(own);
+    for (const Neighbour& neighbour : neighbours) {
+        if (!neighbour.isNear[side % 2])
             continue;
-        const Triangle3 other_m = cornersOf(number);
+        const Triangle3& other_m = neighbour.corners_m;
         std::array<double, 3> above_m{};
         for (std::size_t i = 0; i < 3; ++i)
-            above_m[i] = product(up, other_m[i]) - offset_m;
-        if (std::ranges::max(above_m) <= 0.0)
-            continue;
+            above_m[i] = turn * neighbour.along_m[i] - offset_m;
         const auto addWall = [&](const Vec3& from_m, const Vec3& to_m) {
             FacetDivision::Line wall{placeOf(from_m), placeOf(to_m)};
             const FacetPlace along = wall.to - wall.from;
@@ -82,7 +107,7 @@ std::vector<FacetDivision::Line> ExchangeMesh::Making::wallsOn(std::uint32_t sid
         if (std::ranges::min(above_m) > 0.0 &&
             std::ranges::max(above_m) < lowPart * std::sqrt(areaOf_m2(other_m)))
             for (std::size_t i = 0; i < 3; ++i)
-                if (isOutline(number, i))
+                if (isOutline(neighbour.facet, i))
                     addWall(other_m[i], other_m[(i + 1) % 3]);
         std::array<Vec3, 2> ends{};
         std::size_t count = 0;
@@ -101,11 +126,11 @@ std::vector<FacetDivision::Line> ExchangeMesh::Making::wallsOn(std::uint32_t sid
 /// Whether there is anything beyond the plane of a side that does not turn its culled back
 /// to all of it. On a convex body there is nothing. `known`: a facet that a side near it saw, which
 /// is looked at first, or none; becomes the one that was found.
-bool ExchangeMesh::Making::seesAny(std::uint32_t side, const FacetTree& tree, double extent_m,
-                                   std::uint32_t& known) const {
-    const Facet own = facetOf(side / 2);
+bool ExchangeMesh::Making::seesAny(std::uint32_t side, const Facet& own, const FacetTree& tree,
+                                   double extent_m, std::uint32_t& known) const {
     const Vec3 up = normalOf(own, side);
-    const double offset_m = product(up, own.corners_m[0]) + flatOfExtent * extent_m;
+    const double flat_m = flatOfExtent * extent_m;
+    const double offset_m = product(up, own.corners_m[0]) + flat_m;
     const auto isSeen = [&](std::uint32_t number) {
         if (std::ranges::none_of(cornersOf(number), [&](const Vec3& corner) {
                 return product(up, corner) > offset_m;
@@ -114,23 +139,22 @@ bool ExchangeMesh::Making::seesAny(std::uint32_t side, const FacetTree& tree, do
         if (!roleOf(number).isCulled)
             return true;
         const Facet other = facetOf(number);
-        const double before_m = product(other.normal, other.corners_m[0]) + flatOfExtent * extent_m;
+        const double before_m = product(other.normal, other.corners_m[0]) + flat_m;
         return std::ranges::any_of(own.corners_m, [&](const Vec3& corner) {
             return product(other.normal, corner) > before_m;
         });
     };
     if (known != none && isSeen(known))
         return true;
-    std::size_t looks = 0;
-    return tree.isAnyBeyond(up, offset_m, [&](std::uint32_t number) {
-        // Of a fine mesh many boxes reach beyond the plane, and no facet: rays tell sooner.
-        if (++looks > mostLooks)
-            return true;
-        if (!isSeen(number))
-            return false;
-        known = number;
-        return true;
-    });
+    // Of a fine mesh many boxes reach beyond the plane, and no facet: rays tell sooner.
+    constexpr double marginOfFlat = 1e-3; // beyond rounding
+    return tree.isAnyBeyond(up, offset_m, marginOfFlat * flat_m,
+                            [&](std::uint32_t number, bool isWhole) {
+                                if (isWhole ? roleOf(number).isCulled : !isSeen(number))
+                                    return false;
+                                known = number;
+                                return true;
+                            });
 }
 
 void ExchangeMesh::Making::findWalls(double extent_m) {
@@ -146,13 +170,20 @@ void ExchangeMesh::Making::findWalls(double extent_m) {
     constexpr std::size_t atOnce = 256;
     parallelFor((facets() + atOnce - 1) / atOnce, [&](std::size_t part) {
         std::array<std::uint32_t, 2> known{none, none}; // by front and back
-        const std::size_t end = std::min(sides(), 2 * atOnce * (part + 1));
-        for (auto side = static_cast<std::uint32_t>(2 * atOnce * part); side < end; ++side) {
-            seen[side] = isThere(side) && seesAny(side, tree, extent_m, known[side % 2]);
-            if (!seen[side])
-                continue;
-            if (const auto walls = wallsOn(side, tree); !walls.empty())
-                cut[side] = std::make_unique<FacetDivision>(walls, toleranceOf(side));
+        std::vector<Neighbour> neighbours;
+        const std::size_t end = std::min(facets(), atOnce * (part + 1));
+        for (auto facet = static_cast<std::uint32_t>(atOnce * part); facet < end; ++facet) {
+            const std::array<std::uint32_t, 2> ofFacet{2 * facet, 2 * facet + 1};
+            const Facet own = facetOf(facet);
+            for (const std::uint32_t side : ofFacet)
+                seen[side] = isThere(side) && seesAny(side, own, tree, extent_m, known[side % 2]);
+            if (seen[ofFacet[0]] || seen[ofFacet[1]])
+                findNeighbours(own, facet, tree, neighbours);
+            for (const std::uint32_t side : ofFacet)
+                if (const auto walls = seen[side] ? wallsOn(side, own, neighbours)
+                                                  : std::vector<FacetDivision::Line>();
+                    !walls.empty())
+                    cut[side] = std::make_unique<FacetDivision>(walls, toleranceOf(own));
         }
     });
     sees.assign(seen.begin(), seen.end());

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <numeric>
 #include <tuple>
 
 #include "irsg/core/Errors.h"
@@ -28,12 +29,13 @@ BoundingBox ExchangeMesh::Making::takeFacets() {
     pieceOf.reserve(mesh.facets());
     hasArea.reserve(mesh.facets());
     for (std::uint32_t piece = 0; piece < mesh.pieces(); ++piece) {
+        corners.push_back(mesh.cornersOf(piece));
         const bool isOpaque = uses[piece].isThere && !uses[piece].transparent;
         roles.push_back({isOpaque || uses[piece].pane > 0, isOpaque,
                          uses[piece].cullsBackFaces && !uses[piece].transparent});
         for (unsigned f = 0; f < mesh.facetsOf(piece); ++f) {
             pieceOf.push_back(piece);
-            const Triangle3 c = mesh.facet(piece, f).corners_m;
+            const Triangle3 c = corners.back().of(f);
             const double own_m2 = 0.5 * length(crossed(c[1] - c[0], c[2] - c[0]));
             hasArea.push_back(own_m2 > 0.0);
             area_m2 += own_m2;
@@ -109,21 +111,30 @@ void ExchangeMesh::Making::findPassages() {
     // Edges from some places after those from others: of millions they are not all there at once.
     const std::size_t turns = 1 + 3 * facets() / edgesAtOnce;
     std::vector<Edge> edges;
+    std::vector<std::uint32_t> ends; // by place: where its edges end so far
     std::vector<FacetAtEdge> about;
     for (std::size_t turn = 0; turn < turns; ++turn) {
         const auto begin = static_cast<std::uint32_t>(allPlaces * turn / turns);
         const auto behind = static_cast<std::uint32_t>(allPlaces * (turn + 1) / turns);
-        edges.clear();
-        for (std::uint32_t f = 0; f < facets(); ++f)
-            for (std::uint32_t i = 0; i < 3 && hasArea[f]; ++i) {
-                const std::uint32_t a = places[f][i], b = places[f][(i + 1) % 3];
-                if (const std::uint32_t from = std::min(a, b); from >= begin && from < behind)
-                    edges.push_back({from, std::max(a, b), f, i});
-            }
-        std::ranges::sort(edges, [](const Edge& a, const Edge& b) {
-            return std::tuple(a.from, a.to, a.facet, a.edge) <
-                   std::tuple(b.from, b.to, b.facet, b.edge);
-        });
+        const auto forEachEdge = [&](auto take) {
+            for (std::uint32_t f = 0; f < facets(); ++f)
+                for (std::uint32_t i = 0; i < 3 && hasArea[f]; ++i) {
+                    const std::uint32_t a = places[f][i], b = places[f][(i + 1) % 3];
+                    if (const std::uint32_t from = std::min(a, b); from >= begin && from < behind)
+                        take(Edge{from, std::max(a, b), f, i});
+                }
+        };
+        ends.assign(behind - begin + 1, 0);
+        forEachEdge([&](const Edge& edge) { ++ends[edge.from - begin + 1]; });
+        std::partial_sum(ends.begin(), ends.end(), ends.begin());
+        edges.resize(ends.back());
+        forEachEdge([&](const Edge& edge) { edges[ends[edge.from - begin]++] = edge; });
+        for (std::uint32_t place = 0, first = 0; place < behind - begin; first = ends[place++])
+            std::sort(edges.begin() + first, edges.begin() + ends[place],
+                      [](const Edge& a, const Edge& b) {
+                          return std::tuple(a.to, a.facet, a.edge) <
+                                 std::tuple(b.to, b.facet, b.edge);
+                      });
         for (std::size_t first = 0, end = 0; first < edges.size(); first = end) {
             while (end < edges.size() && edges[end].from == edges[first].from &&
                    edges[end].to == edges[first].to)

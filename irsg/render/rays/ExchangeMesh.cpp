@@ -189,15 +189,19 @@ std::vector<ExchangeMesh::CellPair> ExchangeMesh::joinVertices(Making& making) {
         });
         for (std::uint32_t i = 0; i < beyond.size(); ++i) {
             const auto cell = static_cast<std::uint32_t>(first + i);
+            const Triangle3 own_m = at_m(cell);
+            const double ownLongest_m = longestEdgeOf(own_m);
             for (const std::uint32_t other : beyond[i]) {
                 if (other == none)
                     continue;
-                const Triangle3 own_m = at_m(cell), other_m = at_m(other);
-                const double near_m = 1e-4 * std::min(longestEdgeOf(own_m), longestEdgeOf(other_m));
+                const Triangle3 other_m = at_m(other);
+                const double near_m = 1e-4 * std::min(ownLongest_m, longestEdgeOf(other_m));
+                const double farSquare_m2 = 2.0 * near_m * near_m; // no root is taken of most
                 std::size_t common = 0;
                 for (std::uint32_t k = 0; k < 3; ++k)
                     for (std::uint32_t l = 0; l < 3; ++l)
-                        if (plainLength(own_m[k] - other_m[l]) < near_m) {
+                        if (const Vec3 apart = own_m[k] - other_m[l];
+                            product(apart, apart) < farSquare_m2 && plainLength(apart) < near_m) {
                             same.join(3 * cell + k, 3 * other + l);
                             ++common;
                         }

@@ -74,6 +74,14 @@ struct ExchangeMesh::Making {
         Facet values;
     };
 
+    /// A facet about another that rises beyond one of the planes its sides' rays begin in.
+    struct Neighbour {
+        std::uint32_t facet = 0;
+        std::array<bool, 2> isNear{}; ///< front and back of the other
+        Triangle3 corners_m;
+        std::array<double, 3> along_m{}; ///< of the corners, along the normal of the other's front
+    };
+
     /// What cells are cut down to.
     struct CellSize {
         double fineness = 1.0, longest_m = 0.0, leastArea_m2 = 0.0;
@@ -86,6 +94,7 @@ struct ExchangeMesh::Making {
     double lift_m = 0.0; ///< of the mesh
     double area_m2 = 0.0;
     std::vector<Role> roles{};                          ///< by piece
+    std::vector<RayMesh::Corners> corners{};            ///< likewise
     std::vector<std::uint32_t> pieceOf{};               ///< by facet
     std::vector<std::array<std::uint32_t, 3>> places{}; ///< equal where corners coincide
     std::vector<std::uint8_t> outlines{};               ///< a bit an edge: a surface ends there
@@ -114,7 +123,7 @@ struct ExchangeMesh::Making {
     const Role& roleOf(std::uint32_t facet) const { return roles[pieceOf[facet]]; }
     Triangle3 cornersOf(std::uint32_t facet) const {
         const std::uint32_t piece = pieceOf[facet];
-        return mesh.facet(piece, facet - firstFacet[piece]).corners_m;
+        return corners[piece].of(facet - firstFacet[piece]);
     }
     Facet facetOf(std::uint32_t facet) const;
     bool isOutline(std::uint32_t facet, std::size_t edge) const {
@@ -133,11 +142,10 @@ struct ExchangeMesh::Making {
         return isThere(side) ? static_cast<std::uint32_t>(divisionOf(side).parts().size()) : 0u;
     }
     /// How near places on a facet are that count as one, as weights.
-    double toleranceOf(std::uint32_t side) const {
-        const Triangle3 c = cornersOf(side / 2);
-        const double own_m2 = 0.5 * length(crossed(c[1] - c[0], c[2] - c[0]));
-        return std::clamp(4.0 * lift_m * longestEdgeOf(c) / (2.0 * own_m2), 1e-6, 0.02);
+    double toleranceOf(const Facet& facet) const {
+        return std::clamp(4.0 * lift_m * facet.longest_m / (2.0 * facet.area_m2), 1e-6, 0.02);
     }
+    double toleranceOf(std::uint32_t side) const { return toleranceOf(facetOf(side / 2)); }
     const Probe& probeAt(std::uint32_t part) const { return probes[probeOf[part]]; }
     static Vec3 normalOf(const Facet& facet, std::uint32_t side) {
         return side % 2 == 0 ? facet.normal : facet.normal * -1.0;
@@ -154,8 +162,14 @@ struct ExchangeMesh::Making {
     std::uint32_t cellBeyond(std::uint32_t side, std::uint32_t cell, std::size_t edge,
                              bool isSmooth) const;
 
-    std::vector<FacetDivision::Line> wallsOn(std::uint32_t side, const FacetTree& tree) const;
-    bool seesAny(std::uint32_t side, const FacetTree& tree, double extent_m,
+    /// What rays begin above, and where they may be stopped at once.
+    BoundingBox boxAbove(const Facet& own, std::uint32_t side) const;
+    /// In ascending order.
+    void findNeighbours(const Facet& own, std::uint32_t facet, const FacetTree& tree,
+                        std::vector<Neighbour>& found) const;
+    std::vector<FacetDivision::Line> wallsOn(std::uint32_t side, const Facet& own,
+                                             std::span<const Neighbour> neighbours) const;
+    bool seesAny(std::uint32_t side, const Facet& own, const FacetTree& tree, double extent_m,
                  std::uint32_t& known) const;
     /// Finds what sides see, and cuts them along walls.
     void findWalls(double extent_m);

@@ -1,6 +1,7 @@
 #include "irsg/render/rays/FacetTree.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace irsg {
@@ -32,14 +33,41 @@ void FacetTree::Box::include(const Box& other) {
 }
 
 FacetTree::FacetTree(std::vector<Box> boxes) : boxes_(std::move(boxes)) {
-    numbers_.reserve(boxes_.size());
+    std::vector<std::uint32_t> given; // by place among those that are there
+    given.reserve(boxes_.size());
     for (std::uint32_t i = 0; i < boxes_.size(); ++i)
-        if (boxes_[i].isThere())
-            numbers_.push_back(i);
-    if (numbers_.empty())
+        if (boxes_[i].isThere()) {
+            boxes_[given.size()] = boxes_[i];
+            given.push_back(i);
+        }
+    boxes_.resize(given.size());
+    if (given.empty())
         return;
+    numbers_.resize(given.size());
+    std::iota(numbers_.begin(), numbers_.end(), 0u);
     nodes_.reserve(nodesFor(numbers_.size()));
     build(0, static_cast<std::uint32_t>(numbers_.size()));
+    putInOrder();
+    for (std::uint32_t& number : numbers_)
+        number = given[number];
+}
+
+/// Boxes of one leaf come to lie side by side, so that a look at them goes to one place in memory.
+void FacetTree::putInOrder() {
+    std::vector<bool> isDone(numbers_.size());
+    for (std::uint32_t start = 0; start < numbers_.size(); ++start) {
+        if (isDone[start])
+            continue;
+        // Each place takes the box that belongs there, and leaves its own to another.
+        const Box first = boxes_[start];
+        std::uint32_t at = start;
+        for (; numbers_[at] != start; at = numbers_[at]) {
+            boxes_[at] = boxes_[numbers_[at]];
+            isDone[at] = true;
+        }
+        boxes_[at] = first;
+        isDone[at] = true;
+    }
 }
 
 void FacetTree::build(std::uint32_t first, std::uint32_t count) {

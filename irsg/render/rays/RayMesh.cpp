@@ -175,6 +175,11 @@ std::size_t RayMesh::facetsOf(std::size_t piece) const {
     return impl_->pieces[piece].triangles.size() / 3;
 }
 
+RayMesh::Corners RayMesh::cornersOf(std::size_t piece) const {
+    const TracedPiece& traced = impl_->pieces[piece];
+    return {traced.part->vertices.data(), traced.triangles.data()};
+}
+
 RayMesh::Facet RayMesh::facet(std::size_t piece, unsigned number) const {
     const TracedPiece& traced = impl_->pieces[piece];
     Facet found;

@@ -96,6 +96,18 @@ class RayMesh {
     std::size_t facets() const;
     std::size_t pieces() const;
 
+    /// The corners of all facets of a piece: three numbers of vertices for each.
+    struct Corners {
+        const Float3* vertices = nullptr;
+        const unsigned* numbers = nullptr;
+        std::array<Vec3, 3> of(std::size_t facet) const {
+            const unsigned* own = numbers + 3 * facet;
+            return {toVec3(vertices[own[0]]), toVec3(vertices[own[1]]), toVec3(vertices[own[2]])};
+        }
+    };
+    /// Lives as long as the mesh.
+    Corners cornersOf(std::size_t piece) const;
+
     /// A facet by its corners, in the order of a hit's weights. Facets that continue each other
     /// smoothly share corners: equal numbers in equal arrays.
     struct Facet {

@@ -35,6 +35,9 @@ std::size_t RayMesh::pieces() const {
 std::size_t RayMesh::facetsOf(std::size_t) const {
     return 0;
 }
+RayMesh::Corners RayMesh::cornersOf(std::size_t) const {
+    return {};
+}
 RayMesh::Facet RayMesh::facet(std::size_t, unsigned) const {
     return {};
 }
