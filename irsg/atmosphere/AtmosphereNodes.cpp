@@ -164,4 +164,36 @@ std::vector<double> AtmosphereNodes::sampled(const Spectrum& spectrum) const {
     return values;
 }
 
+AxisToNodes AtmosphereNodes::fromAxis(const std::vector<double>& wavelengths_um) const {
+    const std::size_t last = wavelengths_um.size() - 1;
+    // 1 at a place of the axis and 0 at the others.
+    const auto unitAt = [&](std::size_t place) {
+        const std::size_t from = place > 0 ? place - 1 : 0, to = std::min(place + 1, last);
+        std::vector<double> axis(wavelengths_um.begin() + static_cast<std::ptrdiff_t>(from),
+                                 wavelengths_um.begin() + static_cast<std::ptrdiff_t>(to) + 1);
+        std::vector<double> values(axis.size(), 0.0);
+        values[place - from] = 1.0;
+        return Spectrum(std::move(axis), std::move(values));
+    };
+    AxisToNodes toNodes;
+    std::vector<double> weights;
+    for (const Group& group : groups_) {
+        weights.clear();
+        if (!(group.area_um > 0.0)) {
+            const Bracket at = bracket(wavelengths_um, group.wavelength_um);
+            weights = {1.0 - at.fraction, at.fraction};
+            toNodes.add(group.count, at.below, weights);
+            continue;
+        }
+        const std::vector<double>& hat_um = group.hat.wavelengths_um();
+        const std::size_t first = bracket(wavelengths_um, hat_um.front()).below;
+        const std::size_t end = bracket(wavelengths_um, hat_um.back()).above + 1;
+        for (std::size_t place = first; place < end; ++place)
+            weights.push_back(integralOver(group.hat, unitAt(place), bands_[group.band]) /
+                              group.area_um);
+        toNodes.add(group.count, first, weights);
+    }
+    return toNodes;
+}
+
 } // namespace irsg

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "irsg/atmosphere/engine/RadiativeTransfer.h"
+#include "irsg/radiometry/AxisToNodes.h"
 #include "irsg/radiometry/Band.h"
 #include "irsg/radiometry/SpectralSampling.h"
 
@@ -42,6 +43,8 @@ class AtmosphereNodes : public SpectralSampling {
     /// Values of the set in the order of the sampling.
     std::vector<double> arranged(std::span<const double> ofSet) const;
     std::vector<double> sampled(const Spectrum& spectrum) const override;
+    /// The same for many spectra of one axis that hold their ends.
+    AxisToNodes fromAxis(const std::vector<double>& wavelengths_um) const;
     /// Nodes that are summed together: those of each band, or of each wavelength.
     const std::vector<std::pair<std::size_t, std::size_t>>& outputs() const { return outputs_; }
 

@@ -50,10 +50,9 @@ double correlation(const std::vector<double>& a, const std::vector<double>& b, s
 
 } // namespace
 
-GasColumnsThroughAir::GasColumnsThroughAir(const std::vector<GasLayer>& gases,
+GasColumnsLineByLine::GasColumnsLineByLine(const std::vector<GasLayer>& gases,
                                            const std::vector<double>& wavenumbers_per_cm,
-                                           const std::vector<double>& widths_per_cm,
-                                           const AtmosphericState& air, double length_m)
+                                           const std::vector<double>& widths_per_cm)
     : cells_(wavenumbers_per_cm.size()) {
     if (wavenumbers_per_cm.empty())
         return;
@@ -64,26 +63,22 @@ GasColumnsThroughAir::GasColumnsThroughAir(const std::vector<GasLayer>& gases,
     const auto [first, last] = bins.range(
         wavenumbers_per_cm.front() - reachOf_per_cm(0) - narrowest_per_cm,
         wavenumbers_per_cm.back() + reachOf_per_cm(cells_.size() - 1) + narrowest_per_cm);
-    std::vector<std::uint32_t> nodes;
     for (std::size_t b = first; b < last; ++b)
-        nodes.insert(nodes.end(), bins.nodes.begin() + bins.bins[b].first,
-                     bins.nodes.begin() + bins.bins[b].first + bins.bins[b].count);
+        nodes_.insert(nodes_.end(), bins.nodes.begin() + bins.bins[b].first,
+                      bins.nodes.begin() + bins.bins[b].first + bins.bins[b].count);
     std::vector<double> places_per_cm;
-    for (const std::uint32_t node : nodes) {
+    for (const std::uint32_t node : nodes_) {
         places_per_cm.push_back(samples().wavenumber_per_cm(node));
         wavelengths_um_.push_back(wavelengthFromWavenumber_um(places_per_cm.back()));
     }
-    std::vector<float> values(nodes.size());
-    samples().absorption_per_m(air, nodes, values);
-    for (const float value : values)
-        air_.push_back(std::exp(-static_cast<double>(value) * length_m));
+    std::vector<float> values(nodes_.size());
     for (const GasLayer& gas : gases) {
-        samples().absorption_per_m(stateOf(gas), nodes, values);
+        samples().absorption_per_m(stateOf(gas), nodes_, values);
         std::vector<double>& absorption = absorption_.emplace_back(values.begin(), values.end());
-        for (std::size_t i = 0; gas.soot_ppmv > 0.0 && i < nodes.size(); ++i)
+        for (std::size_t i = 0; gas.soot_ppmv > 0.0 && i < nodes_.size(); ++i)
             absorption[i] += sootAbsorption_per_m(wavelengths_um_[i], gas.soot_ppmv * 1e-6);
         planckRadiances_W_m2_sr_um(wavelengths_um_, gas.temperature_K,
-                                   planck_.emplace_back(nodes.size()));
+                                   planck_.emplace_back(nodes_.size()));
     }
     for (std::size_t c = 0; c < cells_.size(); ++c) {
         const double middle = wavenumbers_per_cm[c], reach = reachOf_per_cm(c);
@@ -95,10 +90,23 @@ GasColumnsThroughAir::GasColumnsThroughAir(const std::vector<GasLayer>& gases,
     }
 }
 
-std::vector<LineCorrelation> GasColumnsThroughAir::of(std::span<const GasStretch> column,
+std::vector<double> GasColumnsLineByLine::transmittance(const AtmosphericState& air,
+                                                        double length_m) const {
+    std::vector<float> values(nodes_.size());
+    if (!nodes_.empty())
+        samples().absorption_per_m(air, nodes_, values);
+    std::vector<double> transmittance;
+    transmittance.reserve(values.size());
+    for (const float value : values)
+        transmittance.push_back(std::exp(-static_cast<double>(value) * length_m));
+    return transmittance;
+}
+
+GasColumnsLineByLine::Column GasColumnsLineByLine::of(std::span<const GasStretch> column,
                                                       std::size_t first,
                                                       double background_K) const {
-    std::vector<double> through(air_.size(), 1.0), radiance(air_.size(), 0.0);
+    Column all{std::vector<double>(nodes_.size(), 0.0), std::vector<double>(nodes_.size(), 1.0)};
+    std::vector<double>&through = all.transmittance, &radiance = all.radiance;
     for (std::size_t k = 0; k < column.size(); ++k) {
         const std::vector<double>& absorption = absorption_[column[k].gas];
         const std::vector<double>& planck = planck_[column[k].gas];
@@ -113,11 +121,17 @@ std::vector<LineCorrelation> GasColumnsThroughAir::of(std::span<const GasStretch
     }
     for (std::size_t i = 0; background_K > 0.0 && i < through.size(); ++i)
         radiance[i] += through[i] * planckRadiance_W_m2_sr_um(wavelengths_um_[i], background_K);
+    return all;
+}
+
+std::vector<LineCorrelation>
+GasColumnsLineByLine::correlations(const Column& column, const std::vector<double>& air) const {
     std::vector<LineCorrelation> correlations(cells_.size());
     for (std::size_t c = 0; c < cells_.size(); ++c)
         if (cells_[c].count >= fewest)
-            correlations[c] = {correlation(air_, radiance, cells_[c].first, cells_[c].count),
-                               correlation(air_, through, cells_[c].first, cells_[c].count)};
+            correlations[c] = {
+                correlation(air, column.radiance, cells_[c].first, cells_[c].count),
+                correlation(air, column.transmittance, cells_[c].first, cells_[c].count)};
     return correlations;
 }
 
@@ -132,8 +146,9 @@ std::vector<LineCorrelation> lineCorrelations(const GasRequest& request,
     std::vector<GasStretch> column;
     for (std::size_t i = 0; i < request.layers.size(); ++i)
         column.push_back({i, request.layers[i].length_m});
-    return GasColumnsThroughAir(request.layers, middles_per_cm, widths_per_cm, air, length_m)
-        .of(column, 0, request.background_K.value_or(0.0));
+    const GasColumnsLineByLine lines(request.layers, middles_per_cm, widths_per_cm);
+    return lines.correlations(lines.of(column, 0, request.background_K.value_or(0.0)),
+                              lines.transmittance(air, length_m));
 }
 
 } // namespace irsg

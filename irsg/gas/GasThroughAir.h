@@ -18,28 +18,36 @@ struct LineCorrelation {
     double transmittance = 1.0; ///< the same of both transmittances
 };
 
-/// Uniform air before any line of sight through several uniform gases, line by line as
-/// lineCorrelations() has it: what does not depend on lengths in the gases is computed once.
-class GasColumnsThroughAir {
+/// Lines of sight through several uniform gases line by line, as lineCorrelations() has it, with no
+/// air before them: what does not depend on lengths is computed once.
+class GasColumnsLineByLine {
   public:
     /// Cells as wide as `widths_per_cm` about ascending `wavenumbers_per_cm`; lengths in `gases` do
     /// not count. Throws InputError where the table of samples is missing.
-    GasColumnsThroughAir(const std::vector<GasLayer>& gases,
+    GasColumnsLineByLine(const std::vector<GasLayer>& gases,
                          const std::vector<double>& wavenumbers_per_cm,
-                         const std::vector<double>& widths_per_cm, const AtmosphericState& air,
-                         double length_m);
+                         const std::vector<double>& widths_per_cm);
 
-    /// By wavenumber, of a line of sight whose stretches stand in order from the sensor, and whose
-    /// first ones do not emit. `background_K`: of a black body behind it; 0 for none.
-    std::vector<LineCorrelation> of(std::span<const GasStretch> column, std::size_t first = 0,
-                                    double background_K = 0.0) const;
+    /// By sample.
+    struct Column {
+        std::vector<double> radiance, transmittance;
+    };
+    /// Of a line of sight whose stretches stand in order from the sensor, and whose first ones do
+    /// not emit. `background_K`: of a black body behind it; 0 for none.
+    Column of(std::span<const GasStretch> column, std::size_t first = 0,
+              double background_K = 0.0) const;
+    /// Transmittance of uniform air, by sample.
+    std::vector<double> transmittance(const AtmosphericState& air, double length_m) const;
+    /// By cell, of a column behind air of these transmittances.
+    std::vector<LineCorrelation> correlations(const Column& column,
+                                              const std::vector<double>& air) const;
 
   private:
     struct Cell {
         std::size_t first = 0, count = 0; ///< samples; few are none
     };
+    std::vector<std::uint32_t> nodes_;            ///< of the table, by sample
     std::vector<double> wavelengths_um_;          ///< of samples
-    std::vector<double> air_;                     ///< transmittance by sample
     std::vector<std::vector<double>> absorption_; ///< by gas and sample, m-1
     std::vector<std::vector<double>> planck_;     ///< likewise, W m-2 sr-1 um-1
     std::vector<Cell> cells_;

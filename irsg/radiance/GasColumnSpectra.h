@@ -1,17 +1,15 @@
 #pragma once
 
-#include <cstddef>
-#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <utility>
 #include <vector>
 
-#include "irsg/gas/GasThroughAir.h"
+#include "irsg/atmosphere/engine/AtmosphericState.h"
 #include "irsg/radiance/GasZones.h"
-#include "irsg/radiometry/Spectrum.h"
+#include "irsg/radiometry/AxisToNodes.h"
+#include "irsg/radiometry/SpectralSampling.h"
 #include "irsg/signature/SignatureDatabase.h"
 
 namespace irsg {
@@ -30,20 +28,26 @@ struct AirBeforeGas {
 /// A gas as its material says, at a temperature; its length is 0.
 GasLayer gasOf(const Material& material, double temperature_K);
 
+/// The gases of an entity on some wavenumbers.
+class GasesOnWavenumbers;
+
 /// What columns of gas send and let through on the nodes of a scene: evaluated when they are first
-/// asked for, by any thread.
+/// asked for, by any thread. What of it depends on neither nodes nor air is shared by all of them.
 class GasColumnSpectra {
   public:
-    /// Brings spectra to the nodes of all bands: of what counts before the air, and of the same as
-    /// lines of the air change it, which bands of the source do not take.
-    using Sampler =
-        std::function<std::vector<double>(const Spectrum& plain, const Spectrum& throughAir)>;
+    /// The nodes of a band. Those of a source take the gas before the air, others as lines of the
+    /// air change it.
+    struct Nodes {
+        std::shared_ptr<const SpectralSampling> sampling;
+        bool hasAir = true;
+    };
     struct OfEntity {
         std::map<IrCodes, GasLayer> gases;
         std::optional<AirBeforeGas> air; ///< none: no lines of it are known
     };
     /// `range`: of all nodes.
-    GasColumnSpectra(std::map<int, OfEntity> entities, const SpectralRange& range, Sampler sample);
+    GasColumnSpectra(const std::map<int, OfEntity>& entities, const SpectralRange& range,
+                     std::vector<Nodes> bands);
 
     /// By node. What passes the air afterwards takes the second of a pair: its lines coincide with
     /// those of the gas.
@@ -59,16 +63,16 @@ class GasColumnSpectra {
 
   private:
     struct Known {
-        std::map<IrCodes, std::size_t> numbers;
-        std::unique_ptr<GasColumns> columns;
-        std::unique_ptr<GasColumnsThroughAir> throughAir; ///< or null
+        std::shared_ptr<GasesOnWavenumbers> gases;
+        std::vector<double> air; ///< transmittance, line by line; empty: none is known
         std::map<int, std::unique_ptr<Column>> byNumber;
     };
-    std::unique_ptr<Column> make(const Known& entity, const GasColumnKey& key) const;
+    std::unique_ptr<Column> make(const Known& entity, int number) const;
     Values sampled(const std::vector<double>& plain, const std::vector<double>& throughAir) const;
 
     std::vector<double> wavelengths_um_; ///< ascending, of wavenumbers descending
-    Sampler sample_;
+    std::vector<Nodes> bands_;
+    std::vector<std::shared_ptr<const AxisToNodes>> toNodes_; ///< by band; null: sampled() of it
     mutable std::mutex mutex_;
     mutable std::map<int, Known> entities_;
 };

@@ -161,19 +161,11 @@ void SceneRadiometry::takeGases(const std::vector<Entity>& entities,
         of.air = bands.front().air.objects[entity].beforeGas;
     }
     const auto [least, most] = std::ranges::minmax(wavelengths_um_);
-    std::vector<std::pair<SpectrumSampler, bool>> samplers; // and whether air follows
+    std::vector<GasColumnSpectra::Nodes> nodes;
     for (const SampledBand& band : bands)
-        samplers.emplace_back([sampling = band.sampling](
-                                  const Spectrum& spectrum) { return sampling->sampled(spectrum); },
-                              !band.isSource);
-    gasColumns_ = std::make_unique<GasColumnSpectra>(
-        std::move(gases), SpectralRange{least, most},
-        [samplers = std::move(samplers)](const Spectrum& plain, const Spectrum& throughAir) {
-            std::vector<double> values;
-            for (const auto& [sample, hasAir] : samplers)
-                append(values, sample(hasAir ? throughAir : plain));
-            return values;
-        });
+        nodes.push_back({band.sampling, !band.isSource});
+    gasColumns_ =
+        std::make_unique<GasColumnSpectra>(gases, SpectralRange{least, most}, std::move(nodes));
 }
 
 void SceneRadiometry::joinAtmosphere(const std::vector<SampledBand>& bands) {

@@ -81,6 +81,28 @@ TEST(AtmosphereNodes, TakeBlackBodiesAndSurfacesAsTheBandDoes) {
     EXPECT_EQ(nodes->sampled(Spectrum::constant(0.7)), std::vector<double>(nodes->size(), 0.7));
 }
 
+TEST(AtmosphereNodes, TakeSpectraOfOneAxisAsEachAlone) {
+    std::vector<double> axis, values;
+    for (int n = 3000; n <= 3340; n += 5) { // some beyond the band
+        axis.insert(axis.begin(), 1e4 / n);
+        values.insert(values.begin(), std::sin(0.1 * n) + 1e-3 * n);
+    }
+    const auto air = atmosphereOf();
+    const std::shared_ptr<const SpectralSampling> samplings[] = {
+        air->nodesOf({band, Band::fromResponse(Spectrum({3.34, 3.35, 3.4}, {0.0, 1.0, 0.0}), "")}),
+        air->nodesAt({3.05, 3.1001, 3.2})};
+    for (const auto& sampling : samplings) {
+        const AtmosphereNodes* nodes = AtmosphereNodes::of(*sampling);
+        ASSERT_NE(nodes, nullptr);
+        const std::vector<double> expected = nodes->sampled(Spectrum(axis, values));
+        const std::vector<double> got = nodes->fromAxis(axis).sampled(values);
+        ASSERT_EQ(got.size(), expected.size());
+        for (std::size_t i = 0; i < got.size(); ++i) {
+            EXPECT_NEAR(got[i], expected[i], 1e-12 * std::abs(expected[i]) + 1e-13) << i;
+        }
+    }
+}
+
 TEST(AtmosphereNodes, AtWavelengthsAreTheSpectrum) {
     const auto air = atmosphereOf();
     const std::vector<double> wavelengths_um{3.02, 3.1, 3.1003, 3.25};
