@@ -258,22 +258,29 @@ void GasColumnBasis::Line::add(std::size_t gas, double length_m) {
                passes_.size(), passes_.data(), emits_.data());
 }
 
-void GasColumnBasis::weightsOf(const Line& line, std::span<double> weights) const {
-    std::ranges::fill(weights, 0.0);
-    const std::size_t count = strengths();
-    addMapped(line.emits_.data(), count, map_.data(), weights.size(), weights.data());
+void GasColumnBasis::Line::fillValues(std::span<double> values) const {
+    const std::size_t count = emits_.size();
+    std::ranges::copy(emits_, values.begin());
     // Less what passes, by parts of 1: no gas has no weight.
-    std::vector<double> stopped(count);
     for (std::size_t i = 0; i < count; ++i)
-        stopped[i] = 1.0 - line.passes_[i];
-    addMapped(stopped.data(), count, map_.data() + count * weights.size(), weights.size(),
-              weights.data());
+        values[count + i] = 1.0 - passes_[i];
 }
 
-void GasColumnBasis::frontWeightsOf(std::span<const double> weights,
+void GasColumnBasis::weightsOf(std::span<const double> values, std::span<double> weights) const {
+    std::ranges::fill(weights, 0.0);
+    addMapped(values.data(), values.size(), map_.data(), weights.size(), weights.data());
+}
+
+void GasColumnBasis::weightsOf(const Line& line, std::span<double> weights) const {
+    std::vector<double> values(valuesOfLine());
+    line.fillValues(values);
+    weightsOf(values, weights);
+}
+
+void GasColumnBasis::frontWeightsOf(std::span<const double> values,
                                     std::span<double> fronts) const {
     std::ranges::fill(fronts, 0.0);
-    addMapped(weights.data(), weights.size(), frontMap_.data(), fronts.size(), fronts.data());
+    addMapped(values.data(), values.size(), frontMap_.data(), fronts.size(), fronts.data());
 }
 
 GasColumnBasis::GasColumnBasis(const std::vector<GasLayer>& gases,
@@ -298,7 +305,7 @@ void GasColumnBasis::take(const Fit& fit) {
         return; // nothing absorbs here
     for (const std::size_t pivot : pivots)
         columns_.push_back(fit.lines()[pivot]);
-    takeFronts(fit, pivots);
+    const std::vector<double> frontsOfColumns = takeFronts(fit, pivots);
 
     // Strengths of absorption: all that may count, then those that differ.
     const std::vector<std::vector<double>> absorption_per_m = fit.absorption_per_m();
@@ -361,6 +368,10 @@ void GasColumnBasis::take(const Fit& fit) {
     for (std::size_t i = 0; i < map.rows(); ++i)
         for (std::size_t k = 0; k < map.columns(); ++k)
             map_.push_back(map.at(i, k));
+    frontMap_.assign(map.rows() * fronts_.size(), 0.0);
+    for (std::size_t i = 0; i < map.rows(); ++i)
+        addMapped(&map_[i * columns_.size()], columns_.size(), frontsOfColumns.data(),
+                  fronts_.size(), &frontMap_[i * fronts_.size()]);
 
     // Lines that were kept out tell the error.
     const std::vector<std::vector<double>> truths = fit.doneBy(fit.others());
@@ -382,7 +393,8 @@ void GasColumnBasis::take(const Fit& fit) {
     }
 }
 
-void GasColumnBasis::takeFronts(const Fit& fit, const std::vector<std::size_t>& columns) {
+std::vector<double> GasColumnBasis::takeFronts(const Fit& fit,
+                                               const std::vector<std::size_t>& columns) {
     const std::size_t places = fit.places();
     std::vector<std::vector<double>> stopped; // by column
     for (const std::size_t column : columns) {
@@ -397,9 +409,11 @@ void GasColumnBasis::takeFronts(const Fit& fit, const std::vector<std::size_t>& 
     for (std::size_t k = 0; k < columns.size(); ++k)
         std::ranges::copy(stopped[k], ofColumns.column(k));
     const ColumnMatrix map = leastSquares(ofFronts, ofColumns, ridge);
+    std::vector<double> byColumn;
     for (std::size_t k = 0; k < columns.size(); ++k)
         for (std::size_t m = 0; m < fronts_.size(); ++m)
-            frontMap_.push_back(map.at(m, k));
+            byColumn.push_back(map.at(m, k));
+    return byColumn;
 }
 
 } // namespace irsg

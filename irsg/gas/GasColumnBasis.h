@@ -46,23 +46,29 @@ class GasColumnBasis {
             : basis_(&basis), passes_(basis.strengths(), 1.0), emits_(basis.strengths(), 0.0) {}
         void clear();
         void add(std::size_t gas, double length_m);
+        /// What it emits and what it stops, by strength: as many as valuesOfLine(). Weights are
+        /// linear in them, so that they may be summed over lines.
+        void fillValues(std::span<double> values) const;
 
       private:
         friend class GasColumnBasis;
         const GasColumnBasis* basis_;
         std::vector<double> passes_, emits_; ///< by strength
     };
-    /// By column; what their sum lacks to 1 is the weight of no gas.
+    std::size_t valuesOfLine() const { return 2 * strengths(); }
+    /// By column, of the values of a line; what their sum lacks to 1 is the weight of no gas.
+    void weightsOf(std::span<const double> values, std::span<double> weights) const;
     void weightsOf(const Line& line, std::span<double> weights) const;
-    /// By front, of a line whose columns have these weights; no gas has the rest, likewise.
-    void frontWeightsOf(std::span<const double> weights, std::span<double> fronts) const;
+    /// By front, of the values of a line; no gas has the rest, likewise.
+    void frontWeightsOf(std::span<const double> values, std::span<double> fronts) const;
 
   private:
     class Fit;
     std::size_t strengths() const { return perGas_ == 0 ? 0 : absorption_per_m_.size() / perGas_; }
     Line follow(const GasLine& line) const;
     void take(const Fit& fit);
-    void takeFronts(const Fit& fit, const std::vector<std::size_t>& columns);
+    /// By column and front.
+    std::vector<double> takeFronts(const Fit& fit, const std::vector<std::size_t>& columns);
 
     std::vector<GasLine> columns_;
     std::vector<std::size_t> fronts_;
@@ -70,7 +76,7 @@ class GasColumnBasis {
     /// By gas and strength; emission as a part of that of the hottest gas.
     std::vector<double> absorption_per_m_, emission_;
     std::vector<double> map_; ///< by strength, first of emission, then of what is stopped; column
-    std::vector<double> frontMap_; ///< by column; front
+    std::vector<double> frontMap_; ///< as map_, by front
     Error error_;
 };
 

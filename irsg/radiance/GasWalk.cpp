@@ -13,11 +13,10 @@ void GasWalk::begin(std::span<const int> rowsAbout) {
         OfEntity& gas = entities_[number];
         gas.line.clear();
         std::ranges::fill(gas.told, 0.0);
-        std::ranges::fill(gas.fronts, 0.0);
-        gas.isMet = gas.isNew = false;
+        gas.isMet = gas.isNew = gas.areFrontsKnown = false;
     }
     met_.clear();
-    branches_.assign(1, {});
+    areBranchesKnown_ = false;
 }
 
 int GasWalk::innermost() const {
@@ -31,9 +30,9 @@ GasWalk::OfEntity& GasWalk::ofEntity(int row) {
     if (found == entities_.end()) {
         const int entity = rows_.keyOf(row).first;
         const GasColumnsOfEntity& columns = *zone.columns;
-        const std::vector<double> none(columns.numbers.size());
+        const std::vector<double> none(columns.basis.valuesOfLine());
         entities_.push_back({entity, zone.firstRow, &columns, static_cast<int>(sets_.size()),
-                             GasColumnBasis::Line(columns.basis), none, none,
+                             GasColumnBasis::Line(columns.basis), none, none, none,
                              std::vector<double>(columns.basis.fronts().size())});
         for (const int number : columns.numbers)
             sets_.push_back({{entity, number}});
@@ -77,41 +76,48 @@ const std::vector<GasWalk::Emission>& GasWalk::takeEmission() {
         OfEntity& gas = entities_[number];
         if (!std::exchange(gas.isNew, false))
             continue;
-        gas.columns->basis.weightsOf(gas.line, gas.weights);
-        gas.columns->basis.frontWeightsOf(gas.weights, gas.fronts);
+        gas.line.fillValues(gas.values);
+        for (std::size_t i = 0; i < gas.values.size(); ++i)
+            gas.more[i] = gas.values[i] - gas.told[i];
+        std::swap(gas.told, gas.values);
+        gas.areFrontsKnown = false;
         fillBranches(&gas, others_);
-        for (std::size_t k = 0; k < gas.weights.size(); ++k) {
-            const double more = gas.weights[k] - gas.told[k];
-            if (more == 0.0)
-                continue;
-            for (const Branch& other : others_)
-                emission_.push_back(
-                    {gas.firstRow,
-                     gas.metFirst,
-                     gas.from_m,
-                     {joined(other.set, gas.firstSet + static_cast<int>(k)), other.weight * more}});
-        }
-        std::swap(gas.told, gas.weights);
+        for (const Branch& other : others_)
+            emission_.push_back({gas.firstRow, gas.metFirst, gas.from_m, other, gas.columns,
+                                 gas.firstSet, gas.more});
     }
-    fillBranches(nullptr, branches_);
+    areBranchesKnown_ = false;
     return emission_;
+}
+
+const std::vector<GasWalk::Branch>& GasWalk::branches() {
+    if (!std::exchange(areBranchesKnown_, true))
+        fillBranches(nullptr, branches_);
+    return branches_;
+}
+
+const std::vector<double>& GasWalk::frontsOf(OfEntity& gas) {
+    if (!std::exchange(gas.areFrontsKnown, true))
+        gas.columns->basis.frontWeightsOf(gas.told, gas.fronts);
+    return gas.fronts;
 }
 
 void GasWalk::fillBranches(const OfEntity* without, std::vector<Branch>& branches) {
     branches.assign(1, {});
     for (const std::size_t number : met_) {
-        const OfEntity& gas = entities_[number];
+        OfEntity& gas = entities_[number];
         if (&gas == without)
             continue;
+        const std::vector<double>& fronts = frontsOf(gas);
         longer_.clear();
         for (const Branch& branch : branches) {
             double rest = 1.0;
-            for (std::size_t m = 0; m < gas.fronts.size(); ++m) {
-                rest -= gas.fronts[m];
+            for (std::size_t m = 0; m < fronts.size(); ++m) {
+                rest -= fronts[m];
                 const auto column = static_cast<int>(gas.columns->basis.fronts()[m]);
-                if (gas.fronts[m] != 0.0)
+                if (fronts[m] != 0.0)
                     longer_.push_back(
-                        {joined(branch.set, gas.firstSet + column), branch.weight * gas.fronts[m]});
+                        {joined(branch.set, gas.firstSet + column), branch.weight * fronts[m]});
             }
             longer_.push_back({branch.set, branch.weight * rest});
         }

@@ -25,12 +25,18 @@ class GasWalk {
         int set = 0; ///< of materials: see columns()
         double weight = 1.0;
     };
-    /// What all gas of an entity emits since something that is no gas was met last.
+    /// What all gas of an entity emits since something that is no gas was met last, behind a column
+    /// or front of the others or none.
     struct Emission {
         int row = 0;      ///< drawn row of the entity's first gas, which stands for all of them
         int metFirst = 0; ///< drawn row of the gas nearest to the sensor
         float distance_m = 0.0f;
-        Branch branch; ///< with the column itself, and what stands before it
+        Branch before; ///< what stands before it
+        const GasColumnsOfEntity* columns = nullptr;
+        int firstSet = 0; ///< of its columns, which follow each other
+        /// What its line of sight does more than the last time, by strength (GasColumnBasis::Line):
+        /// its columns have the weights of this. Valid until the next time.
+        std::span<const double> values;
     };
 
     /// Begins a sample in the gases of these drawn rows.
@@ -44,7 +50,7 @@ class GasWalk {
     /// What emits since the last time; from now on it is before everything else.
     const std::vector<Emission>& takeEmission();
     /// What stands before what comes next; weights add up to 1.
-    const std::vector<Branch>& branches() const { return branches_; }
+    const std::vector<Branch>& branches();
     /// The materials of a set; number 0 is none.
     const std::vector<OccluderMaterial>& columns(int set) const {
         return sets_[static_cast<std::size_t>(set)];
@@ -57,8 +63,10 @@ class GasWalk {
         const GasColumnsOfEntity* columns = nullptr;
         int firstSet = 0; ///< of its columns, which follow each other
         GasColumnBasis::Line line;
-        std::vector<double> weights, told, fronts;
-        bool isMet = false, isNew = false; ///< in this sample
+        /// Of the line as it is, as it was told of last, and more than that; by front, as it was
+        /// told of last.
+        std::vector<double> values, told, more, fronts;
+        bool isMet = false, isNew = false, areFrontsKnown = false; ///< in this sample
         int metFirst = 0;
         float from_m = 0.0f;
     };
@@ -66,6 +74,8 @@ class GasWalk {
     OfEntity& ofEntity(int row);
     /// The fronts of all gas that was told of but that of one entity, or none.
     void fillBranches(const OfEntity* without, std::vector<Branch>& branches);
+    /// Of a gas that was told of.
+    static const std::vector<double>& frontsOf(OfEntity& gas);
     int joined(int set, int other);
 
     const SurfaceRows& rows_;
@@ -75,6 +85,7 @@ class GasWalk {
     std::vector<OfEntity> entities_;
     std::vector<std::size_t> met_; ///< of the entities, in the order in which they were met
     std::vector<Branch> branches_, others_, longer_;
+    bool areBranchesKnown_ = false;
     std::vector<std::vector<OccluderMaterial>> sets_;
     std::map<std::pair<int, int>, int> joined_;
     std::vector<Emission> emission_;

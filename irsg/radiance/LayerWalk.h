@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "irsg/radiance/GasWalk.h"
@@ -53,8 +54,28 @@ class LayerWalk {
     template <typename Visit, typename VisitSpecular>
     void forEachPlace(const GeometrySamples& samples, std::size_t sample, const Visit& visit,
                       const VisitSpecular& visitSpecular) {
+        forEachPlace(
+            samples, sample, visit, visitSpecular,
+            [&](int stack, const SurfaceRows::Between& between, const GasWalk::Emission& gas) {
+                forEachColumn(stack, gas, [&](int behind, double weight) {
+                    const auto part = static_cast<float>(gas.before.weight * weight);
+                    part_.fill(part);
+                    visit(behind, between,
+                          GeometrySamples::Layer{gas.metFirst,
+                                                 gas.distance_m,
+                                                 {part_.data(), samples.factorCount},
+                                                 part,
+                                                 nullptr,
+                                                 false});
+                });
+            });
+    }
+    /// The same, with visitGas(front, between, emission) for what gas emits, before its columns.
+    template <typename Visit, typename VisitSpecular, typename VisitGas>
+    void forEachPlace(const GeometrySamples& samples, std::size_t sample, const Visit& visit,
+                      const VisitSpecular& visitSpecular, const VisitGas& visitGas) {
         if (hasGas_)
-            return forEachPlaceInGas(samples, sample, visit, visitSpecular);
+            return forEachPlaceInGas(samples, sample, visit, visitSpecular, visitGas);
         if (samples.through.empty() && samples.lobes.empty() && samples.speculars.empty() &&
             samples.reflected.empty())
             return forEachLayerAlone(samples, sample, visit);
@@ -78,6 +99,21 @@ class LayerWalk {
     void forEachLayer(const GeometrySamples& samples, std::size_t sample, const Visit& visit,
                       const VisitSpecular& visitSpecular) {
         forEachPlace(samples, sample, byRows(visit), visitSpecular);
+    }
+
+    /// Calls visit(front, weight) for the columns of what gas emits, or of a sum of such.
+    template <typename Gas, typename Visit>
+    void forEachColumn(int stack, const Gas& gas, const Visit& visit) {
+        forEachColumn(stack, gas, gas.values, visit);
+    }
+    template <typename Gas, typename Visit>
+    void forEachColumn(int stack, const Gas& gas, std::span<const double> values,
+                       const Visit& visit) {
+        weights_.resize(gas.columns->numbers.size());
+        gas.columns->basis.weightsOf(values, weights_);
+        for (std::size_t k = 0; k < weights_.size(); ++k)
+            if (weights_[k] != 0.0)
+                visit(behindColumns(stack, gas.firstSet + static_cast<int>(k)), weights_[k]);
     }
 
     /// Calls visit(place, coverage) for the places of what a lobe mirrors, by component.
@@ -135,9 +171,9 @@ class LayerWalk {
         });
     }
 
-    template <typename Visit, typename VisitSpecular>
+    template <typename Visit, typename VisitSpecular, typename VisitGas>
     void forEachPlaceInGas(const GeometrySamples& samples, std::size_t sample, const Visit& visit,
-                           const VisitSpecular& visitSpecular) {
+                           const VisitSpecular& visitSpecular, const VisitGas& visitGas) {
         int stack = 0; // of materials that are no gas
         LightOfLayers light(*this, samples, sample);
         gas_.begin(samples.gasesAboutEye);
@@ -147,7 +183,7 @@ class LayerWalk {
                 gas_.cross(layer.row);
                 return light.goOn();
             }
-            emitGas(stack, samples.factorCount, visit);
+            emitGas(stack, visitGas);
             for (const GasWalk::Branch& branch : gas_.branches()) {
                 const int here = behindColumns(stack, branch.set);
                 const auto part = static_cast<float>(branch.weight);
@@ -168,24 +204,15 @@ class LayerWalk {
             if (rows_.isTransparent(layer.row))
                 stack = behind(stack, layer.row);
         });
-        emitGas(stack, samples.factorCount, visit);
+        emitGas(stack, visitGas);
     }
     /// Visits what gas emits since the last layer that was none.
-    template <typename Visit>
-    void emitGas(int stack, std::size_t factorCount, const Visit& visit) {
+    template <typename VisitGas>
+    void emitGas(int stack, const VisitGas& visitGas) {
         if (!gas_.hasNew())
             return;
-        for (const GasWalk::Emission& one : gas_.takeEmission()) {
-            const auto part = static_cast<float>(one.branch.weight);
-            part_.fill(part);
-            visit(behindColumns(stack, one.branch.set), rows_.at(one.row, one.distance_m),
-                  GeometrySamples::Layer{one.metFirst,
-                                         one.distance_m,
-                                         {part_.data(), factorCount},
-                                         part,
-                                         nullptr,
-                                         false});
-        }
+        for (const GasWalk::Emission& one : gas_.takeEmission())
+            visitGas(behindColumns(stack, one.before.set), rows_.at(one.row, one.distance_m), one);
     }
     GeometrySamples::Layer partOf(const GeometrySamples::Layer& whole, float part) {
         for (std::size_t f = 0; f < whole.factors.size(); ++f)
@@ -345,6 +372,7 @@ class LayerWalk {
     bool hasGas_;
     GasWalk gas_;
     std::array<float, mostFactors> light_{}, lobe_{}, part_{};
+    std::vector<double> weights_; // of columns
     std::size_t lightFrom_ = 0, lobesFrom_ = 0, specularsFrom_ = 0, reflectedFrom_ = 0;
 };
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "irsg/geometry/view/ImageRectangle.h"
+#include "irsg/radiance/GasSums.h"
 #include "irsg/radiance/GeometryBuffer.h"
 #include "irsg/radiance/LayerWalk.h"
 #include "irsg/radiance/SurfaceRows.h"
@@ -18,11 +19,14 @@ class PixelSurfaceSums {
   public:
     /// A sample counts in its own pixel, also where another stands for it.
     static constexpr bool isByPixel = true;
-    /// `pixels`: those of the part. `share`: a sample's part of a pixel.
-    PixelSurfaceSums(const SurfaceRows& rows, const PixelRegion& pixels, std::size_t factorCount,
-                     const LightExchange* exchange, const ReceiverRows& receivers, double share)
+    /// `walk`: through the samples of the part. `pixels`: those of the part. `share`: a sample's
+    /// part of a pixel.
+    PixelSurfaceSums(const SurfaceRows& rows, LayerWalk& walk, const PixelRegion& pixels,
+                     std::size_t factorCount, const LightExchange* exchange,
+                     const ReceiverRows& receivers, double share)
         : rows_(static_cast<std::size_t>(rows.size())),
           surfaces_(rows),
+          walk_(walk),
           pixels_(pixels),
           factorCount_(factorCount),
           exchange_(exchange),
@@ -32,6 +36,7 @@ class PixelSurfaceSums {
           light_(exchange ? cellsOf(pixels) : 0, 1) {}
 
     void goTo(int x, int y, double weight) {
+        endGas();
         part_ = weight * share_;
         cell_ = static_cast<std::size_t>(y - pixels_.y) * static_cast<std::size_t>(pixels_.width) +
                 static_cast<std::size_t>(x - pixels_.x);
@@ -77,6 +82,11 @@ class PixelSurfaceSums {
                 addTo({stack, between.row + 1}, next, none.data(), static_cast<double>(coverage));
         });
     }
+    /// What gas emits is divided among its columns pixel by pixel.
+    void addGas(int stack, const SurfaceRows::Between& between, const GasWalk::Emission& gas) {
+        gas_.add(stack, between, gas);
+    }
+    void finishGas(LayerWalk&) { endGas(); }
     void finish() {}
 
     const GeometryBuffer<double>& field() const { return field_; }
@@ -87,6 +97,18 @@ class PixelSurfaceSums {
   private:
     static std::size_t cellsOf(const PixelRegion& pixels) {
         return static_cast<std::size_t>(pixels.width) * static_cast<std::size_t>(pixels.height);
+    }
+    void endGas() {
+        constexpr std::array<float, mostFactors> ones = [] {
+            std::array<float, mostFactors> all{};
+            all.fill(1.0f);
+            return all;
+        }();
+        gas_.take([&](std::size_t, const GasSums::Place& place) {
+            walk_.forEachColumn(place.stack, place, [&](int stack, double weight) {
+                addTo({stack, place.row}, weight, ones.data());
+            });
+        });
     }
     void addReceivers(const SurfaceStackId& kind, double weight, const GeometrySamples::Place& at) {
         exchange_->forEachReceiver(at.cell, at.u, at.v, [&](std::uint32_t receiver, float part) {
@@ -113,6 +135,7 @@ class PixelSurfaceSums {
 
     std::size_t rows_;
     const SurfaceRows& surfaces_;
+    LayerWalk& walk_;
     PixelRegion pixels_;
     std::size_t factorCount_;
     const LightExchange* exchange_;
@@ -121,6 +144,7 @@ class PixelSurfaceSums {
     GeometryBuffer<double> field_; // float would round thousands of samples of a pixel
     GeometryBuffer<double> light_;
     std::vector<int> numbers_; // of the field, by front and row
+    GasSums gas_;              // since the pixel was gone to
     double part_ = 0.0;
     std::size_t cell_ = 0;
 };

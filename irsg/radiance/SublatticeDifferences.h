@@ -105,6 +105,19 @@ class SublatticeDifferences {
             for (ViewSurfaceSums<Factors>& sums : corrections_)
                 sums.addSpecular(front, samples, layer, mirror);
     }
+    void addGas(int front, const SurfaceRows::Between& between, const GasWalk::Emission& gas) {
+        now_->addGas(front, between, gas);
+        if (isCorrected_)
+            for (ViewSurfaceSums<Factors>& sums : corrections_)
+                sums.addGas(front, between, gas);
+    }
+    void finishGas(LayerWalk& walk) {
+        for (ViewSurfaceSums<Factors>& sums : classes_)
+            sums.finishGas(walk);
+        joined_.finishGas(walk);
+        for (ViewSurfaceSums<Factors>& sums : corrections_)
+            sums.finishGas(walk);
+    }
     void finish() {
         for (ViewSurfaceSums<Factors>& sums : classes_)
             sums.finish();

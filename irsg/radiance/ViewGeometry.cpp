@@ -57,12 +57,15 @@ void addRows(const SampleTile& tile, const GeometrySamples& samples, std::size_t
                     [&](int stack, const GeometrySamples::Layer& layer,
                         const GeometrySamples::Specular& mirror) {
                         sums.addSpecular(stack, samples, layer, mirror);
-                    });
+                    },
+                    [&](int stack, const SurfaceRows::Between& between,
+                        const GasWalk::Emission& gas) { sums.addGas(stack, between, gas); });
                 if constexpr (!requires { sums.at(i, isOfGroup); })
                     if (isOfGroup)
                         sums.goTo(x, y, weight);
             }
         });
+    sums.finishGas(walk);
     sums.finish();
 }
 
@@ -191,8 +194,8 @@ void GeometrySums::addToPixels(const SampleTile& tile, const GeometrySamples& sa
         PixelRegion own = tile.pixels();
         own.y = pixelRow(begin);
         own.height = pixelRow(end - 1) - own.y + 1;
-        sums[p].emplace(rows_, own, layout_.factorCount, exchange_.get(), pixels.receivers,
-                        tile.share());
+        sums[p].emplace(rows_, walks[p], own, layout_.factorCount, exchange_.get(),
+                        pixels.receivers, tile.share());
         addRows(tile, samples, begin, end, walks[p], *sums[p]);
     });
     for (std::size_t p = 0; p < partsOfTile; ++p) {

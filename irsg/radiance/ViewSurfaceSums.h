@@ -7,12 +7,14 @@
 #include <map>
 #include <memory>
 #include <numeric>
+#include <span>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 #include "irsg/geometry/view/FrameBackground.h"
 #include "irsg/geometry/view/PixelGrid.h"
+#include "irsg/radiance/GasSums.h"
 #include "irsg/radiance/GeometryBuffer.h"
 #include "irsg/radiance/LayerWalk.h"
 #include "irsg/radiance/SurfaceRows.h"
@@ -118,6 +120,39 @@ class ViewSurfaceSums {
         addTo(between.row, 1.0 - static_cast<double>(between.next));
         if (between.next > 0.0f)
             addTo(between.row + 1, static_cast<double>(between.next));
+    }
+    /// What gas emits, which is divided among its columns once all is added.
+    void addGas(int stack, const SurfaceRows::Between& between, const GasWalk::Emission& gas) {
+        gas_.add(stack, between, gas);
+    }
+    /// Divides it.
+    void finishGas(LayerWalk& walk) {
+        endRun();
+        const std::vector<GasSums::Place>& places = gas_.places();
+        for (std::size_t number = 0; number < ofGas_.size(); ++number) {
+            const int row = places[number].row;
+            const auto divide = [&](std::size_t part, const auto& addTo) {
+                const std::size_t width = places[number].values.size();
+                walk.forEachColumn(
+                    places[number].stack, places[number],
+                    std::span(ofGas_[number]).subspan(part * width, width),
+                    [&](int stack, double weight) { addTo(slotOf(placeOf(stack, row)), weight); });
+            };
+            divide(0, [&](std::size_t slot, double sum) {
+                for (double& plain : sums_[slot].plain)
+                    plain += sum;
+            });
+            divide(1, [&](std::size_t slot, double sum) {
+                for (double& cosine : sums_[slot].cosine)
+                    cosine += sum;
+            });
+            divide(2, [&](std::size_t slot, double sum) { sums_[slot].pixels += sum; });
+            for (std::size_t k = 0; k < 2 * varying_.size(); ++k)
+                divide(3 + k, [&](std::size_t slot, double sum) {
+                    behind_W_m2_[2 * slot * varying_.size() + k] += sum;
+                });
+        }
+        ofGas_.clear();
     }
     /// Divides it; nothing is added afterwards.
     void finish() {
@@ -299,6 +334,27 @@ class ViewSurfaceSums {
                 addPixel(slotOf(run.place + 1), run.next);
         }
         seen_.clear();
+        gas_.take([&](std::size_t number, const GasSums::Place& place) { addGas(number, place); });
+    }
+    /// Adds what gas emits in the pixel to its sums.
+    void addGas(std::size_t number, const GasSums::Place& place) {
+        const std::size_t width = place.values.size();
+        if (number >= ofGas_.size())
+            ofGas_.resize(number + 1);
+        ofGas_[number].resize((3 + 2 * varying_.size()) * width);
+        double* sums = ofGas_[number].data();
+        const auto add = [&](double scale) {
+            for (std::size_t i = 0; i < width; ++i)
+                sums[i] += scale * place.values[i];
+            sums += width;
+        };
+        add(omega_sr_);
+        add(projected_sr_);
+        add(part_);
+        for (const double behind : behind_W_m2_sr_) {
+            add(omega_sr_ * behind);
+            add(projected_sr_ * behind);
+        }
     }
     void addPixel(std::size_t slot, const Numbers& samples) {
         Sums& sums = sums_[slot];
@@ -414,6 +470,10 @@ class ViewSurfaceSums {
     std::vector<Sums> sums_;                                  // by slot
     std::vector<OfRun> ofRun_;                                // likewise
     std::vector<std::size_t> seen_;                           // slots, since the pixel was gone to
+    GasSums gas_;                                             // likewise
+    /// By number of their places: times solid angle, projected solid angle and part of a pixel, and
+    /// times both angles by varying background.
+    std::vector<std::vector<double>> ofGas_;
     std::vector<std::array<double, 2>> specular_; // by slot of a mirror: without and with cosine
     std::map<SpecularKey, Speculars> mirrors_;
     SpecularKey lastKey_{};

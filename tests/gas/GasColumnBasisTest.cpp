@@ -108,7 +108,9 @@ TEST(GasColumnBasis, LetsThroughWhatItsColumnsDoByFewerFronts) {
             followed.add(stretch.gas, stretch.length_m);
         }
         basis.weightsOf(followed, weights);
-        basis.frontWeightsOf(weights, fronts);
+        std::vector<double> values(basis.valuesOfLine());
+        followed.fillValues(values);
+        basis.frontWeightsOf(values, fronts);
         std::vector<double> ofColumns(wavenumbers_per_cm().size()), ofFronts(ofColumns.size());
         for (std::size_t k = 0; k < weights.size(); ++k) {
             const std::vector<double> own = stopped(basis.columns()[k]);
@@ -131,8 +133,7 @@ TEST(GasColumnBasis, LetsThroughWhatItsColumnsDoByFewerFronts) {
         EXPECT_GT(ofFronts[60], 0.0);
     }
     // None of no gas.
-    std::ranges::fill(weights, 0.0);
-    basis.frontWeightsOf(weights, fronts);
+    basis.frontWeightsOf(std::vector<double>(basis.valuesOfLine(), 0.0), fronts);
     EXPECT_EQ(std::ranges::count(fronts, 0.0), static_cast<std::ptrdiff_t>(fronts.size()));
 }
 
