@@ -156,11 +156,12 @@ SurfaceShading SurfaceShader::shade(const FrameRequest& request,
 
 JoinLimits SurfaceShader::joinsOf(const SceneEvaluation& evaluation) const {
     JoinLimits limits;
-    if (evaluation.surfaceRows().hasGas())
-        return limits;
     // What sums of factors make of them does not depend on it; places and lobes are those of one.
     constexpr double mostDifference = 0.2, bendOfRoughness = 0.25;
     limits.firstNormal = terms_.lobeRoles().size();
+    const SurfaceRows& rows = evaluation.surfaceRows();
+    for (int row = 0; row < static_cast<int>(rows.renderedCount()); ++row)
+        limits.isGas.push_back(rows.gas(row) != nullptr);
     for (const auto& model : evaluation.evaluated->radiometry.models()) {
         const bool isMirror = model && model->facets().size() == 1;
         limits.mostDifference.push_back(isMirror ? 0.0 : mostDifference);

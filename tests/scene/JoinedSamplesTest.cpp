@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <utility>
+#include <vector>
 
 #include "irsg/radiometry/Units.h"
 #include "irsg/render/rays/TileSamples.h"
@@ -47,7 +49,24 @@ struct PlaneSamples {
         JoinLimits limits;
         limits.mostDifference = limits.mostBend = {mostDifference, mostDifference};
         limits.firstNormal = 1;
+        limits.isGas = {false, false, isGas};
         joinSmoothSamples({SampleSheet::of(tile), {scene}}, limits, samples);
+    }
+    /// Puts the two walls of something before each sample, so far from each other.
+    template <typename Length>
+    void putWallsBefore(const Length& length_m) {
+        for (int row = tile.height(); row-- > 0;) { // samples go from the bottom up
+            for (int column = 0; column < tile.width(); ++column) {
+                for (const float distance_m : {50.0f, 50.0f + length_m(column)}) {
+                    samples.words.insert(samples.words.end(),
+                                         {0.0f, 0.0f, 3.0f, distance_m, 0.0f, 0.0f, 0.0f, 0.0f});
+                }
+                samples.ends[indexOf(tile, column, row) + 1] =
+                    static_cast<std::uint32_t>(samples.words.size() / 8);
+            }
+        }
+        samples.highest = samples.size();
+        samples.maximumLayers = 64;
     }
     /// Of the factor, each sample times the number of those that it stands for.
     double sum() const {
@@ -68,6 +87,7 @@ struct PlaneSamples {
         return count;
     }
 
+    bool isGas = true; ///< what the third row bounds
     static constexpr float sampleWidth_m = 0.1f;
     CameraFrame camera{sensorOf(40, 64, degrees(2.0 * std::atan(0.04))), Viewpoint{}};
     SampleTile tile;
@@ -99,6 +119,26 @@ TEST(JoinedSamplesTest, OfASmoothPlaneNearlyAllStandForFourAndSumsStay) {
     for (const std::size_t number : ofNumber) {
         EXPECT_NEAR(static_cast<double>(number), 0.25 * groups, 0.1 * groups);
     }
+}
+
+TEST(JoinedSamplesTest, BehindGasAreThoseWithAboutTheSameLengthOfIt) {
+    PlaneSamples bare;
+    bare.join(0.2);
+    const auto groupsBehind = [](bool isGas, float steep, std::vector<int> gasesAboutEye = {}) {
+        PlaneSamples plane;
+        plane.isGas = isGas;
+        plane.samples.gasesAboutEye = std::move(gasesAboutEye);
+        plane.putWallsBefore(
+            [&](int column) { return 1.0f + steep * static_cast<float>(column % 2); });
+        const double before = plane.sum();
+        plane.join(0.2);
+        EXPECT_NEAR(plane.sum() / before, 1.0, 1e-6);
+        return plane.groups();
+    };
+    EXPECT_EQ(groupsBehind(true, 0.1f), bare.groups());
+    EXPECT_EQ(groupsBehind(true, 0.3f), 0u) << "1 and 1.3 m";
+    EXPECT_EQ(groupsBehind(false, 0.0f), 0u) << "a pane";
+    EXPECT_EQ(groupsBehind(true, 0.0f, {2}), 0u) << "the eye is in gas";
 }
 
 TEST(JoinedSamplesTest, NoneAreOfTwoPixels) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "irsg/core/ParallelFor.h"
 
@@ -71,19 +73,58 @@ class Joining {
             const auto c = static_cast<std::size_t>(cell);
             const std::array<std::size_t, members> group{upper + c, upper + c + 1, lower + c,
                                                          lower + c + 1};
-            if (samples_.isOpaque(group[0]) && isSmooth(group) && isInside(cell))
+            if ((samples_.isOpaque(group[0]) || samples_.isListed(group[0])) && isSmooth(group) &&
+                isInside(cell))
                 join(group, static_cast<std::size_t>((cell / 2) % 2 + 2 * ((row / 2) % 2)));
         }
     }
 
-    bool isSmooth(std::span<const std::size_t, members> group) const {
+    bool isSmooth(std::span<const std::size_t, members> group) {
+        return isGasAlike(group) && isOpaqueSmooth(group);
+    }
+    /// Whether all have nothing before their opaque surface, or the walls of gases alone and about
+    /// the same lengths between them.
+    bool isGasAlike(std::span<const std::size_t, members> group) {
+        constexpr float alike = 0.15f; // of the longest: what emits is smooth in it
+        if (std::ranges::none_of(group, [&](std::size_t i) { return samples_.isListed(i); }))
+            return true;
+        for (std::size_t m = 0; m < members; ++m) {
+            walls_[m].clear();
+            if (!samples_.isListed(group[m]) || samples_.isLeftOver(group[m]))
+                return false;
+            samples_.forEachLayer(group[m], [&](const GeometrySamples::Layer& layer) {
+                walls_[m].emplace_back(layer.row, layer.distance_m);
+            });
+        }
+        const std::size_t walls = walls_[0].size() - (samples_.isOpaque(group[0]) ? 1 : 0);
+        for (std::size_t i = 0; i < walls_[0].size(); ++i) {
+            const int row = walls_[0][i].first;
+            if (i < walls && !limits_.isGas[static_cast<std::size_t>(row)])
+                return false;
+            float least_m = 1e30f, greatest_m = 0.0f;
+            for (const auto& own : walls_) {
+                if (own.size() != walls_[0].size() || own[i].first != row)
+                    return false;
+                const float length_m = i > 0 ? own[i].second - own[i - 1].second : 0.0f;
+                least_m = std::min(least_m, length_m);
+                greatest_m = std::max(greatest_m, length_m);
+            }
+            // Behind the last wall of an even number is no gas.
+            if ((i < walls || walls % 2 == 1) && greatest_m - least_m > alike * greatest_m)
+                return false;
+        }
+        return true;
+    }
+    bool isOpaqueSmooth(std::span<const std::size_t, members> group) const {
         const float row = samples_.opaque[4 * group[0]];
+        if (row == 0.0f)
+            return std::ranges::none_of(group, [&](std::size_t i) { return samples_.isOpaque(i); });
         const auto drawn = static_cast<std::size_t>(row) - 1;
         if (drawn >= limits_.mostDifference.size() || !(limits_.mostDifference[drawn] > 0.0))
             return false;
         double nearest = samples_.distances_m[group[0]], farthest = nearest;
         for (const std::size_t sample : group) {
-            if (samples_.opaque[4 * sample] != row || samples_.isListed(sample))
+            if (samples_.opaque[4 * sample] != row)
                 return false;
             nearest = std::min(nearest, static_cast<double>(samples_.distances_m[sample]));
             farthest = std::max(farthest, static_cast<double>(samples_.distances_m[sample]));
@@ -121,6 +162,8 @@ class Joining {
     GeometrySamples& samples_;
     int cells_;
     double most_ = 0.0;
+    /// By member: rows and distances of what lies before its opaque surface, and of that.
+    std::array<std::vector<std::pair<int, float>>, members> walls_;
 };
 
 } // namespace
@@ -128,9 +171,12 @@ class Joining {
 void joinSmoothSamples(const SheetScene& sheet, const JoinLimits& limits,
                        GeometrySamples& samples) {
     samples.groups.assign(samples.size(), 0);
+    // Each of four has its own length in gas that the eye is in.
+    if (!samples.gasesAboutEye.empty())
+        return;
     for (std::size_t t = 0; t < sheet.scenes.size(); ++t) {
-        Joining joining(sheet.scenes[t], sheet.sheet.tiles[t], limits, samples);
-        parallelFor(partsOfTile, [&](std::size_t part) { joining.joinPart(part); });
+        const Joining joining(sheet.scenes[t], sheet.sheet.tiles[t], limits, samples);
+        parallelFor(partsOfTile, [&](std::size_t part) { Joining(joining).joinPart(part); });
     }
 }
 
