@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "irsg/gas/GasLayer.h"
+#include "irsg/gas/GasColumn.h"
 #include "irsg/radiometry/Spectrum.h"
 
 namespace irsg {
@@ -57,8 +57,7 @@ struct PlumeZonesError {
 };
 
 /// Radiant intensity of a plume in a band, along parallel lines of sight at 90, 45 and 10 degrees
-/// to its axis from behind. Zones are compared with the table on the same steps; what more steps
-/// would change in both is not bounded here, and `fineness` tells it.
+/// to its axis from behind. What more steps would change is not bounded here; `fineness` tells it.
 class PlumeIntensities {
   public:
     /// `fineness` times as many steps each way.
@@ -66,18 +65,28 @@ class PlumeIntensities {
     std::vector<PlumeZonesError> errorsOf(const std::vector<PlumeZone>& zones) const;
 
   private:
+    /// A line of sight: where it is, (x, r), by the distance along it towards the sensor.
+    struct Line {
+        double first_m = 0.0;            ///< x of the nozzle
+        double u_m = 0.0, v_m = 0.0;     ///< beside the middle of the nozzle
+        double cosine = 0.0, sine = 0.0; ///< of its angle to the axis
+        std::array<double, 2> at(double s_m) const;
+    };
     struct Sight {
-        std::vector<std::array<double, 2>> places_m; ///< (x, r), from the sensor on
-        std::vector<double> lengths_m;               ///< of the steps about them
+        Line line;
+        std::vector<double> edges_m; ///< of its steps, from the sensor on: distances descend
         double area_m2 = 0.0;
     };
     struct View {
         std::string name;
-        std::vector<Sight> sights;
+        std::vector<Sight> sights; ///< of zones
         double intensity_W_sr = 0.0;
     };
-    double radiance(const std::vector<GasLayer>& gases, const std::vector<std::size_t>& gasOfPlaces,
-                    const std::vector<double>& lengths_m) const;
+    static std::vector<Sight> sightsOf(const PlumeTable& table, double angle_deg, int along,
+                                       int across, int deep);
+    static void takeSteps(Sight& sight, double length_m, double radius_m, int steps);
+    double radiance(const std::vector<GasLayer>& gases,
+                    const std::vector<GasStretch>& column) const;
 
     SpectralRange band_;
     std::vector<double> wavenumbers_per_cm_, widths_um_;
