@@ -111,12 +111,14 @@ class GasesOnWavenumbers {
     }
     static std::vector<GasLayer> layersOf(const std::map<IrCodes, GasLayer>& gases) {
         std::vector<GasLayer> layers;
+        layers.reserve(gases.size());
         for (const auto& [codes, gas] : gases)
             layers.push_back(gas);
         return layers;
     }
     std::vector<GasStretch> stretchesOf(const GasColumnKey& key) const {
         std::vector<GasStretch> stretches;
+        stretches.reserve(key.stretches.size());
         for (const GasColumnKey::Stretch& stretch : key.stretches)
             stretches.push_back({numbers_.at(stretch.codes), stretch.length_m});
         return stretches;

@@ -162,6 +162,7 @@ void SceneRadiometry::takeGases(const std::vector<Entity>& entities,
     }
     const auto [least, most] = std::ranges::minmax(wavelengths_um_);
     std::vector<GasColumnSpectra::Nodes> nodes;
+    nodes.reserve(bands.size());
     for (const SampledBand& band : bands)
         nodes.push_back({band.sampling, !band.isSource});
     gasColumns_ =

@@ -109,7 +109,7 @@ AnalysisPlan JobRunner::rehearse(MonteCarloJob& job, bool byTeam) {
     AnalysisPlan plan;
     std::vector<irsg::Diagnostic> diagnostics;
     irsg::collect(diagnostics, [&] {
-        const SceneDescription scene = sceneOf(job, scenes_);
+        SceneDescription scene = sceneOf(job, scenes_);
         MonteCarlo monteCarlo(door(), [&](const Project&, const Settings&) { return scene; });
         std::optional<CaseFile> cases;
         if (isInParts) {

@@ -341,6 +341,7 @@ std::vector<std::filesystem::path> distributionFiles(const ScenarioMonteCarlo& r
 std::vector<std::filesystem::path> realisationFiles(const ScenarioMonteCarlo& run,
                                                     const std::filesystem::path& file) {
     std::vector<std::filesystem::path> files;
+    files.reserve(run.plan.sensors.size());
     for (const std::size_t sensor : run.plan.sensors)
         files.push_back(withLabel(file, run.scenario.scenario.sensors[sensor].name));
     return files;
