@@ -155,9 +155,11 @@ AspectRange RangeSearch::find(TargetAspect& aspect) {
     beyond_ += found.found == Found::beyond;
     hidden_ += one.isHiddenBeyond();
     full_ += look.isFull;
-    // Behind a range at which it fades below the threshold nobody looks for it.
-    const bool fades = found.found == Found::atRange && !one.isHiddenBeyond();
-    if (!fades && refused_.range_m < leastRefused_.range_m)
+    // Behind a range at which it fades or is hidden nobody looks for it.
+    constexpr double justBeyond = 1.001;
+    const bool mayMatter =
+        found.found != Found::atRange || refused_.range_m < justBeyond * found.range_m;
+    if (mayMatter && refused_.range_m < leastRefused_.range_m)
         leastRefused_ = refused_;
     resolved_ += one.isResolved;
     return one;

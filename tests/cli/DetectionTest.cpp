@@ -395,6 +395,19 @@ TEST(SmatBatchDetection, RangesThatEndWhereTerrainHidesTheTargetSaySo) {
     EXPECT_THAT(ran.err, HasSubstr("1 of 2 aspects end where the target is hidden"));
 }
 
+// Far behind the range that is found the path goes into the ground, which nobody asked about.
+TEST(SmatBatchDetection, RefusalsOfRangesBeyondTheOneThatIsFoundAreNotTold) {
+    const TemporaryFolder folder;
+    const Ran ran =
+        smatBatch({"detection", sample("sphere/sphere.smat"), "--sensor", sensorFile(folder),
+                   "--step", "180", "--altitude", "1000", "--atmosphere",
+                   std::string(SMAT_SOURCE_DIR) + "/resources/atmospheres/temperate-maritime.xml",
+                   "--out", folder / "r.csv"});
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    EXPECT_LT(valueOf(ResultTable::load(folder / "r.csv"), "detection_range", 0), 200e3);
+    EXPECT_THAT(ran.err, testing::Not(HasSubstr("nothing is seen over")));
+}
+
 // The search of an aspect begins where the one before it ended.
 TEST(SmatBatchDetection, RangesOfARoseAreThoseOfEachAspectAlone) {
     const TemporaryFolder folder;
