@@ -90,8 +90,8 @@ void CaseWarnings::addReport(const irsg::RenderReport& report, int layersKept) {
             return sentence.ends_with("is behind the horizon");
         });
     if (!(report.all.coveredPixels > 0.0) && !isBehindHorizon) {
-        add("no sample hits the target: it is out of the frame, too small for the sampling, or the "
-            "camera is inside it");
+        add("no sample hits the target: it is out of the frame, behind terrain, too small for the "
+            "sampling, or the camera is inside it");
     }
     if (report.layersLeftOver > 0) {
         addWorst("layers", report.layersLeftOver,
