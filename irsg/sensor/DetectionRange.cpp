@@ -163,12 +163,15 @@ void findRoot(Excess& excess, std::uint64_t left, double tolerance, DetectionRan
         if (excess.at(left + step).y >= 0.0)
             left += step;
         const Neighbours halved = neighboursOf(excess, left, step);
-        const bool isBetter = halved.isStep() || halved.error() < leastGain * error;
-        inVain = isBetter ? 0 : inVain + 1;
-        inVainError = isBetter ? 0.0 : std::max(inVainError, halved.error());
-        if (isBetter) {
+        const double errorOfHalved = halved.error();
+        if (halved.isStep() || errorOfHalved < leastGain * error) {
             near = halved;
-            error = near.error();
+            error = errorOfHalved;
+            inVain = 0;
+            inVainError = 0.0;
+        } else {
+            ++inVain;
+            inVainError = std::max(inVainError, errorOfHalved);
         }
     }
     found.relativeError = std::max(error, inVainError);
