@@ -75,17 +75,18 @@ const ViewGeometry& RangeGeometry::at(int entity, const PointAspect& aspect, std
     return *own;
 }
 
-const ViewGeometry& RangeGeometry::from(int entity, const PointAspect& aspect, double distance_m,
-                                        const std::function<ViewGeometry()>& draw) {
+const RangeGeometry::FromOne& RangeGeometry::from(int entity, const PointAspect& aspect,
+                                                  double distance_m, bool withPlaces,
+                                                  const std::function<FromOne()>& draw) {
     std::optional<FromOne>& own = entryOf(entity, aspect).fromOne;
-    if (!own || own->distance_m != distance_m)
-        own = FromOne{distance_m, draw()};
-    return own->view;
+    if (!own || own->distance_m != distance_m || (withPlaces && !own->places))
+        own = draw();
+    return *own;
 }
 
 void addAtRange(const ViewGeometry& atUnitDistance, double weight, const SurfaceRows& drawn,
                 double drawn_m, const SurfaceRows& rows, const RangePlace& place,
-                ViewGeometry& view) {
+                const RadianceBehindKind& behind, ViewGeometry& view) {
     const double scale = weight / (place.range_m * place.range_m);
     const ViewLayout& layout = view.layout;
     view.layersLeftOver = std::max(view.layersLeftOver, atUnitDistance.layersLeftOver);
@@ -105,6 +106,8 @@ void addAtRange(const ViewGeometry& atUnitDistance, double weight, const Surface
         });
     atUnitDistance.field.forEach(0, [&](std::size_t number, std::span<const double> source) {
         const SurfaceStackId& kind = atUnitDistance.field.kinds()[number];
+        const std::vector<double> behind_W_m2_sr =
+            layout.backgrounds > 0 ? behind(kind) : std::vector<double>{};
         forEachRowOf(kind.row, [&](int row, float part) {
             double* sums = view.field.at(0, view.field.kindOf({kind.stack, row}));
             const double share = scale * static_cast<double>(part);
@@ -112,13 +115,19 @@ void addAtRange(const ViewGeometry& atUnitDistance, double weight, const Surface
                 sums[i] += share * source[i];
             sums[layout.pixels()] +=
                 share * source[layout.pixels()] / (place.pixel_rad * place.pixel_rad);
+            for (std::size_t k = 0; k < behind_W_m2_sr.size(); ++k) {
+                const std::size_t coverage = ViewLayout::coverage();
+                sums[layout.background(k)] += share * source[coverage] * behind_W_m2_sr[k];
+                sums[layout.backgroundCosine(k)] +=
+                    share * source[layout.withCosine(coverage)] * behind_W_m2_sr[k];
+            }
         });
     });
     for (std::size_t k = 0; k < std::min(view.sublatticeDifferences.size(),
                                          atUnitDistance.sublatticeDifferences.size());
          ++k)
         addAtRange(atUnitDistance.sublatticeDifferences[k], weight, drawn, drawn_m, rows, place,
-                   view.sublatticeDifferences[k]);
+                   behind, view.sublatticeDifferences[k]);
 }
 
 } // namespace irsg

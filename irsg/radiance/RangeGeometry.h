@@ -27,6 +27,19 @@ namespace irsg {
 /// Nearer by objects are drawn.
 class RangeGeometry {
   public:
+    /// Where the kinds of a view are, by front and drawn row: places in the plane through the
+    /// object's reference point across the line of sight, with the coverage that each stands for.
+    struct KindPlace {
+        double right_m, up_m, coverage;
+    };
+    using KindPlaces = std::map<std::pair<int, int>, std::vector<KindPlace>>;
+    /// The factors from one distance, and where they are; no places where nobody asked for them.
+    struct FromOne {
+        double distance_m;
+        ViewGeometry view;
+        std::optional<KindPlaces> places;
+    };
+
     static constexpr double closest = 1.0 / 16.0;
     /// Nearness of the nodes. The first is the farthest that float tells depths at, and stands for
     /// those beyond as well.
@@ -58,17 +71,13 @@ class RangeGeometry {
 
     /// The same from one distance, which stands for all of the aspect, and by how much it is off at
     /// another nearness at most, as a share of it (see Outputs::Reports::alongRangeFrom).
-    const ViewGeometry& from(int entity, const PointAspect& aspect, double distance_m,
-                             const std::function<ViewGeometry()>& draw);
+    const FromOne& from(int entity, const PointAspect& aspect, double distance_m, bool withPlaces,
+                        const std::function<FromOne()>& draw);
     static double errorFrom(double sampledNearness, double nearness) {
         return 2.0 * std::abs(sampledNearness - nearness);
     }
 
   private:
-    struct FromOne {
-        double distance_m;
-        ViewGeometry view;
-    };
     struct CacheEntry {
         PointAspect aspect;
         std::array<std::optional<ViewGeometry>, nodes.size()> atNode;
@@ -86,10 +95,14 @@ struct RangePlace {
     double pixel_rad = 0.0; ///< width of a pixel at unit depth
 };
 
+/// The mean radiance behind a kind of the drawing, W m-2 sr-1, by background of the view.
+using RadianceBehindKind = std::function<std::vector<double>(const SurfaceStackId&)>;
+
 /// Adds factors as RangeGeometry keeps them to a view. Slices of the object are those of `drawn`
 /// around `drawn_m`; they move to the object's range and are shared among the slices of `rows`.
+/// `behind` is asked where backgrounds of the view vary.
 void addAtRange(const ViewGeometry& atUnitDistance, double weight, const SurfaceRows& drawn,
                 double drawn_m, const SurfaceRows& rows, const RangePlace& place,
-                ViewGeometry& view);
+                const RadianceBehindKind& behind, ViewGeometry& view);
 
 } // namespace irsg

@@ -23,7 +23,7 @@ struct ViewLayout {
     std::size_t factorCount = 0;
     std::size_t backgrounds = 0;
 
-    std::size_t coverage() const { return 0; }
+    static constexpr std::size_t coverage() { return 0; }
     std::size_t factor(std::size_t f) const { return 1 + f; }
     /// Of a number above, the one with the cosine.
     std::size_t withCosine(std::size_t number) const { return number + factorCount + 1; }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <span>
 #include <utility>
 
 #include "irsg/render/sampling/PixelAlignedStrategy.h"
@@ -66,6 +68,69 @@ ViewGeometry atUnitDistance(const ViewGeometry& view, double distance_m, double 
     return unit;
 }
 
+/// Where what the pixels show is, in the plane at a distance.
+RangeGeometry::KindPlaces placesOf(const PixelGeometry& pixels, const Sensor& sensor,
+                                   double distance_m) {
+    const double side_m = sensor.pixelPitch() * distance_m;
+    const auto width = static_cast<std::size_t>(sensor.width_px);
+    RangeGeometry::KindPlaces places;
+    for (std::size_t cell = 0; cell < pixels.field.cells(); ++cell) {
+        const double right_m =
+            (static_cast<double>(cell % width) + 0.5 - 0.5 * sensor.width_px) * side_m;
+        const double up_m =
+            (0.5 * sensor.height_px - static_cast<double>(cell / width) - 0.5) * side_m;
+        pixels.field.forEach(cell, [&](std::size_t number, std::span<const float> numbers) {
+            const SurfaceStackId& kind = pixels.field.kinds()[number];
+            if (const float coverage = numbers[ViewLayout::coverage()]; coverage > 0.0f)
+                places[{kind.stack, kind.row}].push_back(
+                    {right_m, up_m, static_cast<double>(coverage)});
+        });
+    }
+    return places;
+}
+
+/// The mean of each background behind places of the drawing of a camera, as another one that looks
+/// along the same line from another range sees them.
+RadianceBehindKind radianceBehind(const RangeGeometry::KindPlaces& places,
+                                  const std::vector<const FrameBackground*>& varying,
+                                  const Viewpoint& drawnFrom, const Vec3& at_m,
+                                  const CameraFrame& camera) {
+    const Sensor& sensor = camera.sensor();
+    const auto pixel = [](double place, int size) {
+        return static_cast<int>(std::clamp(place, 0.0, size - 1.0));
+    };
+    std::map<std::pair<int, int>, std::vector<double>> behind;
+    std::vector<double> all(varying.size());
+    double coverageOfAll = 0.0;
+    for (const auto& [kind, own] : places) {
+        std::vector<double> sums(varying.size());
+        double coverage = 0.0;
+        for (const RangeGeometry::KindPlace& one : own) {
+            const auto seen =
+                camera.placeOf(at_m + drawnFrom.right * one.right_m + drawnFrom.up * one.up_m);
+            for (std::size_t k = 0; k < varying.size(); ++k)
+                sums[k] +=
+                    one.coverage * (seen ? varying[k]->at(pixel(seen->first, sensor.width_px),
+                                                          pixel(seen->second, sensor.height_px))
+                                         : varying[k]->centre_W_m2_sr());
+            coverage += one.coverage;
+        }
+        for (std::size_t k = 0; k < varying.size(); ++k)
+            all[k] += sums[k];
+        coverageOfAll += coverage;
+        for (double& sum : sums)
+            sum /= coverage;
+        behind[kind] = std::move(sums);
+    }
+    for (std::size_t k = 0; k < varying.size(); ++k)
+        all[k] = coverageOfAll > 0.0 ? all[k] / coverageOfAll : varying[k]->centre_W_m2_sr();
+    // Gas may be of other columns in the sums of pixels.
+    return [behind = std::move(behind), all = std::move(all)](const SurfaceStackId& kind) {
+        const auto known = behind.find({kind.stack, kind.row});
+        return known != behind.end() ? known->second : all;
+    };
+}
+
 } // namespace
 
 bool AspectSampler::withErrors(const Frame& frame) {
@@ -118,37 +183,42 @@ PointAspect AspectSampler::aspectOf(const Frame& frame, int entity, const Vec3& 
 }
 
 void AspectSampler::forgetOtherTerrain(const Frame& frame) {
-    if (!frame.shading().shadows || shadowingTerrain_ == frame.scene().terrain)
+    if (terrain_ == frame.scene().terrain)
         return;
-    shadowingTerrain_ = frame.scene().terrain;
+    terrain_ = frame.scene().terrain;
     pointSources_ = {};
     rangeFactors_ = {};
 }
 
-ViewGeometry AspectSampler::sampleAlone(const Frame& frame, int entity, const CameraFrame& camera,
-                                        int tileSide_samples, const SurfaceRows& rows) {
-    GeometrySums sums(camera.sensor(), rows, occluderStacks_, terms_.factorCount(), {},
+ViewGeometry AspectSampler::sampleAlone(const Frame& frame, const CameraFrame& camera,
+                                        const Alone& alone) {
+    GeometrySums sums(camera.sensor(), alone.rows, occluderStacks_, terms_.factorCount(), {},
                       frame.exchange(), withErrors(frame));
     ViewGeometry view = sums.emptyView();
-    const auto seen = planner_.seenBy(frame.surfaces, camera, entity);
+    if (alone.pixels)
+        *alone.pixels = sums.emptyPixels();
+    const auto seen = planner_.seenBy(frame.surfaces, camera, alone.entity);
     if (!seen)
         return view;
     sampler_.onEngine(frame.surfaces.engine, [&] {
         GeometrySamples samples;
-        const PixelAlignedStrategy strategy(tileSide_samples);
+        const PixelAlignedStrategy strategy(alone.tileSide_samples);
         for (const SampleTile& tile :
              piecesOf(strategy.tiles({*seen}), frame.surfaces.engine.engine.largestSide())) {
-            SurfaceScene alone = sampler_.sceneOf(frame.surfaces, camera, tile);
-            alone.terrain = {};
-            alone.groundBefore.clear();
+            SurfaceScene scene = sampler_.sceneOf(frame.surfaces, camera, tile);
+            if (!alone.isAmongTerrain)
+                scene.terrain = {};
+            scene.groundBefore.clear();
+            const SheetScene sheet{SampleSheet::of(tile), {std::move(scene)}};
             frame.surfaces.engine.engine.sampleGeometry(
-                {SampleSheet::of(tile), {alone}},
-                rows.needsDistances() || frame.shading().isNeeded(), samples);
-            clock_.timed("layer sorting", [&] {
-                frame.shading().sortAndApply({SampleSheet::of(tile), {alone}}, frame.settings(),
-                                             samples);
+                sheet, alone.rows.needsDistances() || frame.shading().isNeeded(), samples);
+            clock_.timed("layer sorting",
+                         [&] { frame.shading().sortAndApply(sheet, frame.settings(), samples); });
+            clock_.timed("factor sums", [&] {
+                sums.addToView(tile, samples, view);
+                if (alone.pixels)
+                    sums.addToPixels(tile, samples, *alone.pixels);
             });
-            clock_.timed("factor sums", [&] { sums.addToView(tile, samples, view); });
         }
     });
     return view;
@@ -183,15 +253,17 @@ const PointGeometry& AspectSampler::pointGeometry(const Frame& frame, const Obje
                                                  toWorld * Vec3{0, 1, 0}));
         // The air is no matter here.
         const SurfaceRows rows = renderedRows(frame.rows(), frame.scene().entities.size());
-        const ViewGeometry view = sampleAlone(frame, object.entity, zoom,
-                                              frame.settings().tileSide_samples * 3 / 2, rows);
+        const ViewGeometry view = sampleAlone(
+            frame, zoom, {object.entity, frame.settings().tileSide_samples * 3 / 2, rows});
         return pointOf(view, distance_m);
     });
 }
 
-void AspectSampler::addAlongRange(const Frame& frame, const ObjectExtent& object,
+void AspectSampler::addAlongRange(const Frame& frame, const AlongRange& one,
+                                  const std::vector<const FrameBackground*>& varying,
                                   ViewGeometry& view) {
     forgetOtherTerrain(frame);
+    const ObjectExtent& object = one.object;
     const Entity& entity = frame.request.entity(object.entity);
     const ObjectGeometry& geometry =
         frame.evaluation().geometry[static_cast<std::size_t>(object.entity)];
@@ -200,13 +272,14 @@ void AspectSampler::addAlongRange(const Frame& frame, const ObjectExtent& object
     const bool isSliced =
         geometry.slices_m.size() > 1 || (!isFromOne && geometry.atmosphereError > 0.0);
     const double reach_m = prepared_.reach_m(entity);
-    const Vec3 from =
-        PointSources::onGrid(entity.pose.attitude.rotation().transposed() *
-                                 prepared_.towards(entity, frame.request.view.viewpoint.position_m),
-                             RangeGeometry::directionStep);
+    const Vec3 from = prepared_.lineOfSight(entity, frame.request.view.viewpoint.position_m);
     PointAspect aspect = aspectOf(frame, object.entity, from);
     appendTo(aspect.numbers, prepared_.referencePoint(entity));
     aspect.numbers.push_back(isSliced ? 1.0 : 0.0);
+    if (one.isAmongTerrain) {
+        appendTo(aspect.numbers, entity.pose.position_m);
+        appendTo(aspect.numbers, entity.pose.attitude);
+    }
 
     const RangePlace place{geometry.path.range_m, frame.sensor().pixelPitch()};
     const auto rowsAt = [&](double distance_m) {
@@ -217,9 +290,9 @@ void AspectSampler::addAlongRange(const Frame& frame, const ObjectExtent& object
                      : SliceNodes{});
     };
     const auto add = [&](const ViewGeometry& drawn, const SurfaceRows& rows, double distance_m,
-                         double weight, bool isError) {
+                         double weight, const RadianceBehindKind& behind, bool isError) {
         // The contrasts of an error are those of the sum already.
-        addAtRange(drawn, weight, rows, distance_m, frame.rows(), place,
+        addAtRange(drawn, weight, rows, distance_m, frame.rows(), place, behind,
                    isError ? view.sublatticeDifferences.back() : view);
     };
     const double nearness = reach_m / place.range_m;
@@ -228,14 +301,23 @@ void AspectSampler::addAlongRange(const Frame& frame, const ObjectExtent& object
         const double distance_m =
             std::max(*frame.request.sampledFrom_m, reach_m / RangeGeometry::closest);
         const SurfaceRows rows = rowsAt(distance_m);
-        const ViewGeometry& drawn = rangeFactors_.from(object.entity, aspect, distance_m, [&] {
-            return sampleFrom(frame, object.entity, from, distance_m,
-                              frame.settings().tileSide_samples, rows);
-        });
-        add(drawn, rows, distance_m, 1.0, false);
+        const CameraFrame camera = prepared_.cameraAlong(entity, from, distance_m, frame.sensor());
+        const RangeGeometry::FromOne& drawn =
+            rangeFactors_.from(object.entity, aspect, distance_m, !varying.empty(), [&] {
+                return sampleFromOne(
+                    frame, camera, distance_m, !varying.empty(),
+                    {object.entity, frame.settings().tileSide_samples, rows, one.isAmongTerrain});
+            });
+        const RadianceBehindKind behind =
+            varying.empty() ? RadianceBehindKind()
+                            : radianceBehind(*drawn.places, varying, camera.viewpoint(),
+                                             entity.pose.toWorld(prepared_.referencePoint(entity)),
+                                             frame.request.camera);
+        add(drawn.view, rows, distance_m, 1.0, behind, false);
         if (withErrors)
-            add(drawn, rows, distance_m, RangeGeometry::errorFrom(reach_m / distance_m, nearness),
-                true);
+            add(drawn.view, rows, distance_m,
+                RangeGeometry::errorFrom(one.reach_m / distance_m, one.reach_m / place.range_m),
+                behind, true);
         return;
     }
     const auto addNode = [&](std::size_t node, double weight, bool isError) {
@@ -244,10 +326,11 @@ void AspectSampler::addAlongRange(const Frame& frame, const ObjectExtent& object
         const ViewGeometry& drawn = rangeFactors_.at(object.entity, aspect, node, [&] {
             // No phases average the error of a node, so that its tile is larger than that of a
             // frame.
-            return sampleFrom(frame, object.entity, from, distance_m,
-                              frame.settings().tileSide_samples * 3 / 2, rows);
+            return sampleFrom(
+                frame, prepared_.cameraAlong(entity, from, distance_m, frame.sensor()), distance_m,
+                {object.entity, frame.settings().tileSide_samples * 3 / 2, rows});
         });
-        add(drawn, rows, distance_m, weight, isError);
+        add(drawn, rows, distance_m, weight, {}, isError);
     };
     for (const auto& [node, weight] : RangeGeometry::weightsAt(nearness))
         addNode(node, weight, false);
@@ -256,23 +339,21 @@ void AspectSampler::addAlongRange(const Frame& frame, const ObjectExtent& object
             addNode(node, weight, true);
 }
 
-ViewGeometry AspectSampler::sampleFrom(const Frame& frame, int entity, const Vec3& from,
-                                       double distance_m, int tileSide_samples,
-                                       const SurfaceRows& rows) {
-    // Pixels that are small in terms of the object, as each has the solid angle of its middle.
-    constexpr int pixels = 32;
-    const Entity& own = frame.request.entity(entity);
-    const Rotation toWorld = own.pose.attitude.rotation();
-    const Vec3 at_m = own.pose.toWorld(prepared_.referencePoint(own));
-    Sensor sensor = frame.sensor();
-    sensor.width_px = sensor.height_px = pixels;
-    sensor.horizontalFieldOfView_rad = 2.0 * std::asin(prepared_.reach_m(own) / distance_m);
-    const CameraFrame camera(sensor,
-                             Viewpoint::lookAt(at_m + toWorld * from * distance_m, at_m,
-                                               toWorld * Vec3{0, 0, 1}, toWorld * Vec3{0, 1, 0}));
+ViewGeometry AspectSampler::sampleFrom(const Frame& frame, const CameraFrame& camera,
+                                       double distance_m, const Alone& alone) {
+    const double pitch = camera.sensor().pixelPitch();
+    return atUnitDistance(sampleAlone(frame, camera, alone), distance_m, pitch * pitch);
+}
 
-    return atUnitDistance(sampleAlone(frame, entity, camera, tileSide_samples, rows), distance_m,
-                          sensor.pixelPitch() * sensor.pixelPitch());
+RangeGeometry::FromOne AspectSampler::sampleFromOne(const Frame& frame, const CameraFrame& camera,
+                                                    double distance_m, bool withPlaces,
+                                                    Alone alone) {
+    PixelGeometry pixels;
+    alone.pixels = withPlaces ? &pixels : nullptr;
+    RangeGeometry::FromOne one{distance_m, sampleFrom(frame, camera, distance_m, alone), {}};
+    if (withPlaces)
+        one.places = placesOf(pixels, camera.sensor(), distance_m);
+    return one;
 }
 
 } // namespace irsg

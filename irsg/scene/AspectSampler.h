@@ -31,20 +31,31 @@ class AspectSampler {
     /// Factors of a point source of the plan at unit distance; valid until the next call.
     const PointGeometry& pointGeometry(const Frame& frame, const ObjectExtent& object);
     static PointPlace placeOf(const Frame& frame, const ObjectExtent& object);
-    /// Adds an object along the range of the plan to a view.
-    void addAlongRange(const Frame& frame, const ObjectExtent& object, ViewGeometry& view);
+    /// Adds an object along the range of the plan to a view, before backgrounds that vary over the
+    /// frame.
+    void addAlongRange(const Frame& frame, const AlongRange& one,
+                       const std::vector<const FrameBackground*>& varying, ViewGeometry& view);
 
   private:
     /// An entity as it is seen from a direction in its model's axes.
     PointAspect aspectOf(const Frame& frame, int entity, const Vec3& from) const;
-    /// Forgets what was sampled in the shadow of another terrain, which aspects do not name.
+    /// Forgets what was sampled beside another terrain, which aspects do not name.
     void forgetOtherTerrain(const Frame& frame);
-    /// Factors of one entity as a camera of its own sees it, with nothing before it.
-    ViewGeometry sampleAlone(const Frame& frame, int entity, const CameraFrame& camera,
-                             int tileSide_samples, const SurfaceRows& rows);
-    /// The same from a distance in a direction of the model's axes, as it is at unit distance.
-    ViewGeometry sampleFrom(const Frame& frame, int entity, const Vec3& from, double distance_m,
-                            int tileSide_samples, const SurfaceRows& rows);
+    /// How an object is sampled by itself.
+    struct Alone {
+        int entity = 0, tileSide_samples = 0;
+        const SurfaceRows& rows;
+        bool isAmongTerrain = false;     ///< which may hide it; nothing else does
+        PixelGeometry* pixels = nullptr; ///< takes the factors of its pixels, where not null
+    };
+    /// Factors of one entity as a camera of its own sees it.
+    ViewGeometry sampleAlone(const Frame& frame, const CameraFrame& camera, const Alone& alone);
+    /// The same from a distance along a line of sight, as it is at unit distance.
+    ViewGeometry sampleFrom(const Frame& frame, const CameraFrame& camera, double distance_m,
+                            const Alone& alone);
+    /// The same with the places of its kinds where they are wanted.
+    RangeGeometry::FromOne sampleFromOne(const Frame& frame, const CameraFrame& camera,
+                                         double distance_m, bool withPlaces, Alone alone);
     /// Whether what is sampled has its contrasts.
     static bool withErrors(const Frame& frame);
 
@@ -56,7 +67,7 @@ class AspectSampler {
     StageClock& clock_;
     PointSources pointSources_;
     RangeGeometry rangeFactors_;
-    std::shared_ptr<const Terrain> shadowingTerrain_; // of what is kept
+    std::shared_ptr<const Terrain> terrain_; // beside what is cached
 };
 
 } // namespace irsg

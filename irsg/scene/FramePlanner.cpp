@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 #include "irsg/radiance/PointSources.h"
 #include "irsg/radiance/RangeGeometry.h"
 #include "irsg/render/rays/RayEngine.h"
 #include "irsg/scene/EarthHorizon.h"
+#include "irsg/scene/KeyNumbers.h"
 #include "irsg/scene/SceneCheck.h"
 
 namespace irsg {
@@ -63,24 +65,37 @@ bool isWholeAndApart(const Sensor& sensor, const std::vector<ObjectExtent>& seen
            });
 }
 
-/// True where terrain that may hide objects is in or beside the pixels of a rectangle.
-bool touchesTerrain(const FrameRequest& request, const FrameBackgrounds& backgrounds,
-                    const ImageRectangle& extent) {
-    const std::vector<double>& coverage = backgrounds.layers.coverage;
-    if (coverage.empty() || !request.scene.settings.terrainHides)
-        return false;
-    const Sensor& sensor = request.view.sensor;
+/// The distance of the nearest terrain in or beside the pixels of a rectangle, each pixel's in the
+/// mean over its nearness, which is given times its coverage; none where there is none.
+std::optional<double> nearestIn(const std::vector<double>& coverage,
+                                const std::vector<double>& nearness_1_m, const Sensor& sensor,
+                                const ImageRectangle& extent) {
     const auto pixel = [](double place, int size) {
         return static_cast<int>(std::clamp(place, 0.0, size - 1.0));
     };
+    std::optional<double> nearest_m;
     for (int y = pixel(extent.top - 1.0, sensor.height_px);
          y <= pixel(extent.bottom + 1.0, sensor.height_px); ++y)
         for (int x = pixel(extent.left - 1.0, sensor.width_px);
-             x <= pixel(extent.right + 1.0, sensor.width_px); ++x)
-            if (coverage[static_cast<std::size_t>(y) * static_cast<std::size_t>(sensor.width_px) +
-                         static_cast<std::size_t>(x)] > 0.0)
-                return true;
-    return false;
+             x <= pixel(extent.right + 1.0, sensor.width_px); ++x) {
+            const std::size_t i =
+                static_cast<std::size_t>(y) * static_cast<std::size_t>(sensor.width_px) +
+                static_cast<std::size_t>(x);
+            if (coverage[i] > 0.0)
+                nearest_m = std::min(nearest_m.value_or(std::numeric_limits<double>::infinity()),
+                                     coverage[i] / nearness_1_m[i]);
+        }
+    return nearest_m;
+}
+
+/// The same of terrain that may hide objects of a frame.
+std::optional<double> terrainDistance_m(const FrameRequest& request,
+                                        const FrameBackgrounds& backgrounds,
+                                        const ImageRectangle& extent) {
+    const BackgroundLayers& layers = backgrounds.layers;
+    if (layers.coverage.empty() || !request.scene.settings.terrainHides)
+        return std::nullopt;
+    return nearestIn(layers.coverage, layers.nearness_1_m, request.view.sensor, extent);
 }
 
 HiddenPart hiddenPart(const SceneSurfaces& surfaces, int entity) {
@@ -141,12 +156,15 @@ FramePlan FramePlanner::plan(const FrameRequest& request, const SceneSurfaces& s
                 seen.push_back(std::move(*object));
 
     FramePlan plan;
-    const bool mayBeAlongRange =
-        request.alongRange && settings.usesAlignedTiles() && backgrounds.areUniform();
+    // Nodes of ranges have no image of the object, in which a background could vary.
+    const bool mayBeAlongRange = request.alongRange && settings.usesAlignedTiles() &&
+                                 (request.sampledFrom_m || backgrounds.areUniform());
     const bool mayBePoints = settings.usesAlignedTiles() && settings.pointSourceBelow_px > 0.0;
     for (const ObjectExtent& object : seen) {
-        if (mayBeAlongRange && isAlongRange(request, surfaces, backgrounds, seen, object)) {
-            plan.alongRange.push_back(object);
+        auto along = mayBeAlongRange ? alongRange(request, surfaces, backgrounds, seen, object)
+                                     : std::nullopt;
+        if (along) {
+            plan.alongRange.push_back(std::move(*along));
             continue;
         }
         const std::size_t slices =
@@ -155,7 +173,7 @@ FramePlan FramePlanner::plan(const FrameRequest& request, const SceneSurfaces& s
                              hiddenPart(surfaces, object.entity) == HiddenPart::none &&
                              object.extent.extent() < settings.pointSourceBelow_px &&
                              isWholeAndApart(request.view.sensor, seen, object) &&
-                             !touchesTerrain(request, backgrounds, object.extent);
+                             !terrainDistance_m(request, backgrounds, object.extent);
         (isPoint ? plan.points : plan.drawn).push_back(object);
         plan.seen.push_back(object);
     }
@@ -163,23 +181,65 @@ FramePlan FramePlanner::plan(const FrameRequest& request, const SceneSurfaces& s
     return plan;
 }
 
-bool FramePlanner::isAlongRange(const FrameRequest& request, const SceneSurfaces& surfaces,
-                                const FrameBackgrounds& backgrounds,
-                                const std::vector<ObjectExtent>& seen, const ObjectExtent& object) {
+std::optional<AlongRange> FramePlanner::alongRange(const FrameRequest& request,
+                                                   const SceneSurfaces& surfaces,
+                                                   const FrameBackgrounds& backgrounds,
+                                                   const std::vector<ObjectExtent>& seen,
+                                                   const ObjectExtent& object) {
     const Entity& entity = request.entity(object.entity);
     const double range_m =
         surfaces.evaluation.geometry[static_cast<std::size_t>(object.entity)].path.range_m;
-    const double reach_m = prepared_.reach_m(entity);
-    if (!(reach_m > 0.0) || reach_m > RangeGeometry::closest * range_m ||
-        hiddenPart(surfaces, object.entity) != HiddenPart::none)
-        return false;
+    const double ofItself_m = prepared_.reach_m(entity);
+    if (!(ofItself_m > 0.0) || hiddenPart(surfaces, object.entity) != HiddenPart::none)
+        return std::nullopt;
+    AlongRange one{object, ofItself_m};
+    double nearest_m = range_m;
+    if (const auto terrain_m = terrainDistance_m(request, backgrounds, object.extent)) {
+        if (!request.sampledFrom_m)
+            return std::nullopt;
+        // What hides it must do so from here as from where it is sampled.
+        const double sampledFrom_m =
+            std::max(*request.sampledFrom_m, ofItself_m / RangeGeometry::closest);
+        nearest_m = std::min(range_m, sampledFrom_m);
+        const auto there_m =
+            terrainDistanceAlong_m(request, surfaces, object.entity, sampledFrom_m);
+        const double before_m =
+            std::max(range_m - *terrain_m, there_m ? sampledFrom_m - *there_m : -range_m);
+        one.reach_m = std::max(ofItself_m, before_m);
+        // Pixels have means, behind what may hide it at their rims.
+        one.isAmongTerrain = before_m > -2.0 * ofItself_m;
+    }
     // Cosines off the axis are those of a camera that looks at the reference point.
     constexpr double nearby = 1e-6;
     const Viewpoint& viewpoint = request.view.viewpoint;
     const bool isLookedAt =
         length(prepared_.towards(entity, viewpoint.position_m) - viewpoint.backward) < nearby;
-    return isLookedAt && isWholeAndApart(request.view.sensor, seen, object) &&
-           !touchesTerrain(request, backgrounds, object.extent);
+    if (one.reach_m > RangeGeometry::closest * nearest_m || !isLookedAt ||
+        !isWholeAndApart(request.view.sensor, seen, object))
+        return std::nullopt;
+    return one;
+}
+
+std::optional<double> FramePlanner::terrainDistanceAlong_m(const FrameRequest& request,
+                                                           const SceneSurfaces& surfaces,
+                                                           int entity, double sampledFrom_m) {
+    const Entity& own = request.entity(entity);
+    const Vec3 from = prepared_.lineOfSight(own, request.view.viewpoint.position_m);
+    std::vector<double> numbers{static_cast<double>(entity), sampledFrom_m, prepared_.reach_m(own)};
+    appendTo(numbers, from);
+    appendTo(numbers, prepared_.referencePoint(own));
+    appendTo(numbers, own.pose.position_m);
+    appendTo(numbers, own.pose.attitude);
+    if (terrainAlong_.terrain == request.scene.terrain && terrainAlong_.numbers == numbers)
+        return terrainAlong_.distance_m;
+    const CameraFrame camera = prepared_.cameraAlong(own, from, sampledFrom_m, request.view.sensor);
+    const TerrainImage image =
+        surfaces.engine.terrainPainter.paint(request.scene.terrain, camera, 0.0);
+    const ImageRectangle whole{0.0, 0.0, static_cast<double>(camera.sensor().width_px),
+                               static_cast<double>(camera.sensor().height_px)};
+    terrainAlong_ = {request.scene.terrain, std::move(numbers),
+                     nearestIn(image.coverage, image.nearness_1_m, camera.sensor(), whole)};
+    return terrainAlong_.distance_m;
 }
 
 std::vector<ImageRectangle> FramePlanner::detailsOf(const SceneSurfaces& surfaces,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -39,9 +40,16 @@ class FramePlanner {
   private:
     std::optional<ObjectExtent> placeOf(const SceneSurfaces& surfaces, const CameraFrame& camera,
                                         int entity);
-    bool isAlongRange(const FrameRequest& request, const SceneSurfaces& surfaces,
-                      const FrameBackgrounds& backgrounds, const std::vector<ObjectExtent>& seen,
-                      const ObjectExtent& object);
+    /// Nothing where it can't be sampled for its whole line of sight.
+    std::optional<AlongRange> alongRange(const FrameRequest& request, const SceneSurfaces& surfaces,
+                                         const FrameBackgrounds& backgrounds,
+                                         const std::vector<ObjectExtent>& seen,
+                                         const ObjectExtent& object);
+    /// The distance of the nearest terrain that may hide an entity from where it is sampled for its
+    /// whole line of sight; none where there is none.
+    std::optional<double> terrainDistanceAlong_m(const FrameRequest& request,
+                                                 const SceneSurfaces& surfaces, int entity,
+                                                 double sampledFrom_m);
     /// Where a camera sees the hot parts of an entity that are not hidden by the entity itself.
     std::vector<ImageRectangle> detailsOf(const SceneSurfaces& surfaces, const CameraFrame& camera,
                                           int entity);
@@ -56,6 +64,12 @@ class FramePlanner {
         std::optional<ViewKey> key;
         std::map<int, std::vector<ImageRectangle>> byEntity;
     } details_;
+    /// The last of terrainDistanceAlong_m(), of an entity in its pose.
+    struct {
+        std::shared_ptr<const Terrain> terrain;
+        std::vector<double> numbers;
+        std::optional<double> distance_m;
+    } terrainAlong_;
 };
 
 } // namespace irsg

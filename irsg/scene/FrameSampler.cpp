@@ -189,8 +189,8 @@ const ViewGeometry& FrameSampler::factorsOf(const Frame& frame, ViewSampling& sa
             addPointToView(aspects_.pointGeometry(frame, object), frame.rows(),
                            AspectSampler::placeOf(frame, object), pointersTo(sampling.varying_),
                            sampling.factors_);
-        for (const ObjectExtent& object : frame.plan.alongRange)
-            aspects_.addAlongRange(frame, object, sampling.factors_);
+        for (const AlongRange& one : frame.plan.alongRange)
+            aspects_.addAlongRange(frame, one, pointersTo(sampling.varying_), sampling.factors_);
         sampling.isFinished_ = true;
     } catch (...) {
         sampling.failure_ = std::current_exception();

@@ -11,6 +11,8 @@
 #include "irsg/core/CacheStore.h"
 #include "irsg/core/Errors.h"
 #include "irsg/core/FreedMemory.h"
+#include "irsg/radiance/PointSources.h"
+#include "irsg/radiance/RangeGeometry.h"
 
 namespace irsg {
 
@@ -221,6 +223,24 @@ double PreparedEntities::reach_m(const Entity& entity) {
 
 Vec3 PreparedEntities::towards(const Entity& entity, const Vec3& place_m) {
     return normalized(place_m - entity.pose.toWorld(referencePoint(entity)));
+}
+
+Vec3 PreparedEntities::lineOfSight(const Entity& entity, const Vec3& place_m) {
+    return PointSources::onGrid(entity.pose.attitude.rotation().transposed() *
+                                    towards(entity, place_m),
+                                RangeGeometry::directionStep);
+}
+
+CameraFrame PreparedEntities::cameraAlong(const Entity& entity, const Vec3& lineOfSight,
+                                          double distance_m, Sensor like) {
+    // Pixels that are small in terms of the entity, as each has the solid angle of its middle.
+    constexpr int pixels = 32;
+    const Rotation toWorld = entity.pose.attitude.rotation();
+    const Vec3 at_m = entity.pose.toWorld(referencePoint(entity));
+    like.width_px = like.height_px = pixels;
+    like.horizontalFieldOfView_rad = 2.0 * std::asin(reach_m(entity) / distance_m);
+    return {like, Viewpoint::lookAt(at_m + toWorld * lineOfSight * distance_m, at_m,
+                                    toWorld * Vec3{0, 0, 1}, toWorld * Vec3{0, 1, 0})};
 }
 
 } // namespace irsg

@@ -7,6 +7,7 @@
 
 #include "irsg/core/RecentlyUsed.h"
 #include "irsg/geometry/Entity.h"
+#include "irsg/geometry/view/CameraFrame.h"
 #include "irsg/radiance/exchange/BodyLight.h"
 #include "irsg/render/rays/RayMesh.h"
 #include "irsg/render/sampling/HotSpots.h"
@@ -56,6 +57,12 @@ class PreparedEntities {
     double reach_m(const Entity& entity);
     /// From an entity's reference point, in the world; unit.
     Vec3 towards(const Entity& entity, const Vec3& place_m);
+    /// The same in model axes, rounded so that places along one line of sight share it.
+    Vec3 lineOfSight(const Entity& entity, const Vec3& place_m);
+    /// A camera on such a line, so far from the reference point, whose frame the entity fills; in
+    /// all else `like` a sensor.
+    CameraFrame cameraAlong(const Entity& entity, const Vec3& lineOfSight, double distance_m,
+                            Sensor like);
 
   private:
     struct Reference {

@@ -98,7 +98,8 @@ std::vector<RenderReport> RenderReporter::reports(const Frame& frame, const View
             if (frame.request.withErrors)
                 report.all.errors = errors[band].back();
             report.layersLeftOver = factors.layersLeftOver;
-            report.isAlongRange = !frame.plan.alongRange.empty();
+            for (const AlongRange& one : frame.plan.alongRange)
+                report.alongRangeReach_m = std::max(report.alongRangeReach_m, one.reach_m);
             fill(frame, band, report);
             report.totalIrradiance_W_m2 = totalIrradiance_W_m2(
                 frame, frame.backgrounds.byOutput[band], report.all.irradiance_W_m2);

@@ -31,7 +31,7 @@ void appendLobes(const SceneSurfaces& surfaces, std::vector<double>& numbers) {
 }
 
 ViewKey viewKey(const RadianceTerms& terms, const FrameRequest& request,
-                const SceneSurfaces& surfaces, const std::vector<ObjectExtent>& alongRange) {
+                const SceneSurfaces& surfaces, const std::vector<AlongRange>& alongRange) {
     const RenderSettings& settings = request.scene.settings;
     const Sensor& sensor = request.view.sensor;
     ViewKey key;
@@ -71,8 +71,8 @@ ViewKey viewKey(const RadianceTerms& terms, const FrameRequest& request,
         if (object.hidden != HiddenPart::none)
             key.numbers.insert(key.numbers.end(), object.hiddenBelow_m.begin(),
                                object.hiddenBelow_m.end());
-    for (const ObjectExtent& object : alongRange)
-        key.numbers.push_back(static_cast<double>(object.entity));
+    for (const AlongRange& one : alongRange)
+        key.numbers.push_back(static_cast<double>(one.object.entity));
     if (!alongRange.empty())
         key.numbers.push_back(request.sampledFrom_m.value_or(0.0));
     key.terrain = request.scene.terrain;

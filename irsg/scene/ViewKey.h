@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "irsg/radiance/RadianceTerms.h"
-#include "irsg/render/sampling/ObjectExtent.h"
+#include "irsg/scene/FramePlan.h"
 #include "irsg/scene/FrameRequest.h"
 #include "irsg/scene/SceneSurfaces.h"
 
@@ -23,7 +23,7 @@ struct ViewKey {
 
 /// `alongRange`: the objects whose factors are interpolated between distances.
 ViewKey viewKey(const RadianceTerms& terms, const FrameRequest& request,
-                const SceneSurfaces& surfaces, const std::vector<ObjectExtent>& alongRange);
+                const SceneSurfaces& surfaces, const std::vector<AlongRange>& alongRange);
 
 /// Appends what the receivers of inter-reflection are numbered by.
 void appendReceivers(const SurfaceShading& shading, double lightError,

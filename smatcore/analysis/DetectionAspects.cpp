@@ -91,7 +91,7 @@ std::optional<double> RangeSearch::ratio(TargetAspect& aspect, double range_m) {
 
 bool RangeSearch::isSampledOnceAt(TargetAspect& aspect, double range_m) {
     try {
-        return aspect.at(range_m, false).isAlongRange;
+        return aspect.at(range_m, false).alongRangeReach_m > 0.0;
     } catch (const irsg::InputError&) {
         return true; // which the search will tell
     }
@@ -123,11 +123,10 @@ AspectRange RangeSearch::sampled(TargetAspect& aspect) {
         if (isAllRefused) // throws what no range changes
             (void)aspect.at(request_.limits.nearest_m, false);
         const double there_m = std::max(one.found.around.front().range_m, plain_m);
-        const bool isAlongRange = aspect.isAlongRange(one.found);
+        const double reach_m = aspect.alongRangeReach_m(one.found);
         if (one.found.found == Found::atRange)
-            isSampledOnce_ = isAlongRange;
-        if (!isAlongRange ||
-            aspect.reach_m() * std::abs(1.0 / there_m - 1.0 / from_m) <= nearnessThatMatters)
+            isSampledOnce_ = reach_m > 0.0;
+        if (reach_m * std::abs(1.0 / there_m - 1.0 / from_m) <= nearnessThatMatters)
             break;
         from_m = there_m;
     }

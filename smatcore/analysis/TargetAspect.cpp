@@ -153,7 +153,7 @@ void TargetAspect::sampleFrom(double range_m) {
     if (sampledFrom_m_ == range_m)
         return;
     sampledFrom_m_ = range_m;
-    std::erase_if(known_, [](const auto& known) { return known.second.isAlongRange; });
+    std::erase_if(known_, [](const auto& known) { return known.second.alongRangeReach_m > 0.0; });
 }
 
 TargetLook TargetAspect::at(double range_m, bool withErrors) {
@@ -187,16 +187,18 @@ TargetLook TargetAspect::at(double range_m, bool withErrors) {
     if (report.all.errors)
         look.error_W_m2 = report.all.errors->irradiance_W_m2.sum();
     look.background_W_m2_sr = report.background_W_m2_sr;
-    look.isAlongRange = report.isAlongRange;
+    look.alongRangeReach_m = report.alongRangeReach_m;
     look.clutter_W_m2_sr = clutter_W_m2_sr_;
     look.clutterError_W_m2_sr = clutterError_W_m2_sr_;
     sight_.see(look);
     return known_[key] = look;
 }
 
-bool TargetAspect::isAlongRange(const irsg::DetectionRange& found) {
-    return std::ranges::any_of(
-        found.around, [&](const auto& node) { return at(node.range_m, false).isAlongRange; });
+double TargetAspect::alongRangeReach_m(const irsg::DetectionRange& found) {
+    double reach_m = 0.0;
+    for (const auto& node : found.around)
+        reach_m = std::max(reach_m, at(node.range_m, false).alongRangeReach_m);
+    return reach_m;
 }
 
 TargetLook TargetAspect::between(const irsg::DetectionRange& found) {

@@ -69,8 +69,8 @@ class TargetAspect {
     /// At the range that was found, interpolated on the grid; the relative error is that of the
     /// nearest range there.
     TargetLook between(const irsg::DetectionRange& found);
-    /// Whether some of what that is interpolated between was not drawn for its range alone.
-    bool isAlongRange(const irsg::DetectionRange& found);
+    /// The largest TargetLook::alongRangeReach_m of what that is interpolated between.
+    double alongRangeReach_m(const irsg::DetectionRange& found);
 
   private:
     const DetectionScene& shared_;

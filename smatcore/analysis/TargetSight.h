@@ -23,7 +23,9 @@ struct TargetLook {
     double noiseError = 0.0;                 ///< of it, relative, by that of the clutter
     double difference_K = 0.0, cycles = 0.0; ///< of criteria of cycles
     bool isFull = false;                     ///< the pixel, of the background alone
-    bool isAlongRange = false;               ///< not drawn for this range alone
+    /// How far what was sampled for other ranges, too, reaches from the target's reference point;
+    /// 0 where it was sampled for this range alone.
+    double alongRangeReach_m = 0.0;
     double snr() const { return std::abs(contrast_W_m2) / nei_W_m2; }
 };
 

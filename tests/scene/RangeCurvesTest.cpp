@@ -10,12 +10,17 @@
 #include <utility>
 #include <vector>
 
+#include <osg/Geode>
+#include <osg/Geometry>
+#include <osg/Texture2D>
+
 #include "irsg/atmosphere/AtmosphereSmart.h"
 #include "irsg/atmosphere/BeerLambert.h"
 #include "irsg/core/ParallelFor.h"
 #include "irsg/radiance/RangeGeometry.h"
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
+#include "tests/support/MadeGraphs.h"
 #include "tests/support/SampleAircraft.h"
 #include "tests/support/SceneFixtures.h"
 
@@ -138,6 +143,71 @@ std::vector<double> differences(const std::vector<double>& values,
 void print(const std::string& name, const std::vector<double>& errors) {
     std::printf("%s: RMS %.1e, largest %.1e, step %.1e, bend %.1e\n", name.c_str(), rmsOf(errors),
                 worstOf(errors), worstOf(steps(errors)), worstOf(steps(steps(errors))));
+}
+
+/// A rectangle with a texture of squares from black to white, given about the standing place.
+struct Sheet {
+    Vec3 corner_m, along_m, up_m;
+    int squares = 1;
+};
+
+std::shared_ptr<const Terrain> terrainOf(const std::vector<Sheet>& sheets) {
+    const osg::ref_ptr<osg::Group> group = new osg::Group;
+    for (const auto& [corner, along, up, squares] : sheets) {
+        const osg::ref_ptr<osg::Image> image = new osg::Image;
+        image->allocateImage(squares, squares, 1, GL_LUMINANCE, GL_FLOAT);
+        for (int y = 0; y < squares; ++y) {
+            for (int x = 0; x < squares; ++x) {
+                *reinterpret_cast<float*>(image->data(static_cast<unsigned>(x),
+                                                      static_cast<unsigned>(y))) =
+                    0.5f * static_cast<float>((7 * x + 3 * y) % 5);
+            }
+        }
+        const auto at = [](const Vec3& v) {
+            return osg::Vec3(static_cast<float>(v.x), static_cast<float>(v.y),
+                             static_cast<float>(v.z));
+        };
+        const osg::Vec3 vertices[] = {at(corner), at(corner + along), at(corner + along + up),
+                                      at(corner + up)};
+        const osg::Vec2 places[] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+        const osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
+        geometry->setVertexArray(new osg::Vec3Array(4, vertices));
+        geometry->setTexCoordArray(0, new osg::Vec2Array(4, places));
+        geometry->addPrimitiveSet(new osg::DrawArrays(GL_QUADS, 0, 4));
+        const osg::ref_ptr<osg::Geode> geode = new osg::Geode;
+        geode->addDrawable(geometry);
+        geode->getOrCreateStateSet()->setTextureAttributeAndModes(0, new osg::Texture2D(image));
+        group->addChild(geode);
+    }
+    return terrainOfGraph(*group, "sheets", {0, 0, standingAltitude_m});
+}
+
+/// A box before ground of bright and dark squares that lies 40 m below it.
+InteractiveRenderer boxOverGround(std::vector<Sheet> more = {}) {
+    InteractiveRenderer irsg =
+        generatorOf({grey(boxMesh({2, 6, 1.5}, std::vector<IrCodes>(6, one)))});
+    more.push_back({{-6000, -6000, -40}, {12000, 0, 0}, {0, 12000, 0}, 1024});
+    irsg.scene.terrain = terrainOf(more);
+    irsg.scene.settings.terrain = {1.0, 0.0};
+    return irsg;
+}
+
+/// The reports of a drawing for the range alone, and of one from another.
+struct Sampled {
+    RenderReport drawn, fromOne;
+    double off() const {
+        return fromOne.all.contrastIntensity_W_sr / drawn.all.contrastIntensity_W_sr - 1.0;
+    }
+    double error() const {
+        return fromOne.all.errors->contrastIntensity_W_sr.sum() /
+               std::abs(drawn.all.contrastIntensity_W_sr);
+    }
+};
+
+Sampled sampled(InteractiveRenderer& irsg, double sampledFrom_m) {
+    return {irsg.measure(),
+            irsg.render(Outputs::reports().alongRangeFrom(sampledFrom_m).withErrors())
+                .reports.front()};
 }
 
 /// Neither the curve nor its slope jumps by more than three times the RMS.
@@ -357,7 +427,7 @@ TEST(RangeCurve, FromOneDrawingIsRightThereAndWithinItsErrorElsewhere) {
             const RenderReport report =
                 irsg.render(Outputs::reports().alongRangeFrom(sampledAt_m).withErrors())
                     .reports.front();
-            EXPECT_TRUE(report.isAlongRange);
+            EXPECT_GT(report.alongRangeReach_m, 0.0);
             EXPECT_LE(drawings(irsg) - before, 1);
             const double off = report.all.intensity_W_sr / nodes.intensity_W_sr - 1.0;
             const double error = report.all.errors->intensity_W_sr.sum() / nodes.intensity_W_sr;
@@ -368,6 +438,71 @@ TEST(RangeCurve, FromOneDrawingIsRightThereAndWithinItsErrorElsewhere) {
             std::printf("from %g m at %g m: off by %.1e of %.1e\n", sampledAt_m, range_m, off,
                         error);
         }
+    }
+}
+
+// What is behind a target changes with the range, how it is seen does not.
+TEST(RangeCurve, FromOneDrawingHasTheTerrainBehindOfEachRange) {
+    InteractiveRenderer irsg = boxOverGround();
+    std::vector<double> backgrounds;
+    for (const double sampledFrom_m : {300.0, 3000.0}) {
+        for (const double range_m : {120.0, 300.0, 900.0, 3000.0}) {
+            look(irsg, {30, 15}, range_m);
+            const Sampled both = sampled(irsg, sampledFrom_m);
+            const std::string name =
+                std::to_string(sampledFrom_m) + " to " + std::to_string(range_m);
+            EXPECT_GT(both.fromOne.alongRangeReach_m, 0.0) << name;
+            EXPECT_LT(both.fromOne.alongRangeReach_m, 10.0) << name;
+            EXPECT_LT(std::abs(both.off()), both.error() + 1e-3) << name;
+            if (range_m == sampledFrom_m) {
+                EXPECT_LT(std::abs(both.off()), 1e-3) << name;
+            }
+            const ObjectRadiometry& all = both.drawn.all;
+            backgrounds.push_back((all.intensity_W_sr - all.contrastIntensity_W_sr) /
+                                  all.solidAngle_sr / (range_m * range_m));
+        }
+    }
+    const auto [least, most] = std::ranges::minmax_element(backgrounds);
+    EXPECT_GT(*most, 1.3 * *least) << "the squares matter";
+}
+
+// A wall just before the target hides its lower part from any range alike.
+TEST(RangeCurve, FromOneDrawingIsHiddenByTheTerrainAroundIt) {
+    InteractiveRenderer irsg = boxOverGround({{{-30, 8, -40}, {60, 0, 0}, {0, 0, 40.2}, 4}});
+    for (const double range_m : {300.0, 3000.0}) {
+        look(irsg, {0, 2}, range_m);
+        const double whole_sr = [&] {
+            irsg.scene.settings.terrainHides = false;
+            const double seen_sr = irsg.measure().all.solidAngle_sr;
+            irsg.scene.settings.terrainHides = true;
+            return seen_sr;
+        }();
+        for (const double sampledFrom_m : {300.0, 3000.0}) {
+            const Sampled both = sampled(irsg, sampledFrom_m);
+            const std::string name =
+                std::to_string(sampledFrom_m) + " to " + std::to_string(range_m);
+            EXPECT_GT(both.fromOne.alongRangeReach_m, 7.0) << name;
+            EXPECT_LT(both.drawn.all.solidAngle_sr, 0.8 * whole_sr) << name;
+            EXPECT_GT(both.drawn.all.solidAngle_sr, 0.1 * whole_sr) << name;
+            EXPECT_LT(std::abs(both.off()), both.error() + 2e-3) << name;
+            if (range_m == sampledFrom_m) {
+                EXPECT_LT(std::abs(both.off()), 2e-3) << name;
+            }
+        }
+    }
+}
+
+// A wall far before the target is behind a camera that is nearer.
+TEST(RangeCurve, IsDrawnForItselfWhereTerrainStandsFarBeforeTheTarget) {
+    InteractiveRenderer irsg = boxOverGround({{{-300, 200, -40}, {600, 0, 0}, {0, 0, 400}, 4}});
+    for (const auto& [range_m, sampledFrom_m] :
+         {std::pair{150.0, 3000.0}, {150.0, 6000.0}, {3000.0, 150.0}, {6000.0, 150.0}}) {
+        look(irsg, {0, 5}, range_m);
+        const Sampled both = sampled(irsg, sampledFrom_m);
+        EXPECT_EQ(both.fromOne.alongRangeReach_m, 0.0) << range_m;
+        EXPECT_EQ(both.fromOne.all.contrastIntensity_W_sr, both.drawn.all.contrastIntensity_W_sr)
+            << range_m;
+        EXPECT_EQ(both.drawn.all.contrastIntensity_W_sr == 0.0, range_m > 200.0) << range_m;
     }
 }
 

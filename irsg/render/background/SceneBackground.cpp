@@ -91,7 +91,7 @@ void SceneBackground::renderTerrain(const Sensor& sensor, const Viewpoint& viewp
                                     const TextureScale& scale, TerrainPainter& painter) {
     TerrainImage image = painter.paint(terrain_, CameraFrame(sensor, viewpoint), scale.offset);
     layers_.coverage = std::move(image.coverage);
-    nearness_1_m_ = std::move(image.nearness_1_m);
+    layers_.nearness_1_m = std::move(image.nearness_1_m);
     layers_.terrain = std::move(image.texel);
     for (double& value : layers_.terrain)
         value *= scale.slope_W_m2_sr;
@@ -103,8 +103,8 @@ void SceneBackground::putGroundBehindTerrain(const BackgroundGrid& lines,
     const GroundDistance ground(altitude_m, sky.apparentHorizon_rad(altitude_m));
     std::vector<std::optional<double>> below_rad(layers_.coverage.size());
     for (std::size_t i = 0; i < below_rad.size(); ++i)
-        if (nearness_1_m_[i] > 0.0)
-            below_rad[i] = ground.belowHorizon_rad(layers_.coverage[i] / nearness_1_m_[i]);
+        if (layers_.nearness_1_m[i] > 0.0)
+            below_rad[i] = ground.belowHorizon_rad(layers_.coverage[i] / layers_.nearness_1_m[i]);
     const std::vector<double> behind = lines.groundPixels(below_rad, radianceAt);
     for (std::size_t i = 0; i < behind.size(); ++i)
         layers_.environment[i] += layers_.coverage[i] * (behind[i] - layers_.environment[i]);

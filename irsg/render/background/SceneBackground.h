@@ -34,6 +34,8 @@ struct BackgroundLayers {
     std::vector<double> environment; ///< the grid; where there is terrain, level ground as far away
     std::vector<double> terrain;     ///< times its coverage
     std::vector<double> coverage;    ///< of the terrain, 0 to 1
+    /// Mean of 1 / distance of the terrain from the eye, times its coverage.
+    std::vector<double> nearness_1_m;
 };
 
 struct BackgroundReport {
@@ -77,7 +79,6 @@ class SceneBackground {
     std::shared_ptr<const Skybox> skybox_;
     std::shared_ptr<const Terrain> terrain_;
     BackgroundLayers layers_;
-    std::vector<double> nearness_1_m_; ///< of the terrain, times its coverage
 };
 
 } // namespace irsg

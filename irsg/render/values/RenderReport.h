@@ -61,9 +61,10 @@ struct RenderReport {
     std::vector<std::string> warnings;   ///< each said once
     std::vector<SampledTile> tiles;      ///< what the antialiasing sampled by itself
     long flooredPixels = 0;              ///< of the background, whose sum was below 0
-    /// The object that is looked at was sampled for all of its line of sight, as was asked for
-    /// (Outputs::Reports::alongRange).
-    bool isAlongRange = false;
+    /// Where the object that is looked at was sampled for all of its line of sight, as was asked
+    /// for (Outputs::Reports::alongRange): how far it, and terrain that may hide some of it, reach
+    /// from its reference point. 0 where it was sampled for its range alone.
+    double alongRangeReach_m = 0.0;
     int layersLeftOver = 0; ///< samples with more transparent layers than are kept
     std::string renderer;   ///< GL renderer and version
 };
