@@ -111,6 +111,8 @@ class PixelSurfaceSums {
         });
     }
     void addReceivers(const SurfaceStackId& kind, double weight, const GeometrySamples::Place& at) {
+        if (exchange_ == nullptr) // of coverage alone
+            return;
         exchange_->forEachReceiver(at.cell, at.u, at.v, [&](std::uint32_t receiver, float part) {
             const int number = receivers_.numberOf(kind.row, exchange_->localOf(receiver));
             *light_.at(cell_, light_.kindOf({kind.stack, number})) +=

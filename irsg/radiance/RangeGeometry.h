@@ -27,12 +27,16 @@ namespace irsg {
 /// Nearer by objects are drawn.
 class RangeGeometry {
   public:
-    /// Where the kinds of a view are, by front and drawn row: places in the plane through the
-    /// object's reference point across the line of sight, with the coverage that each stands for.
+    /// Where the kinds of a view are, by front and drawn row: squares in the plane through the
+    /// object's reference point across the line of sight, given by their middles, with the coverage
+    /// that each stands for.
     struct KindPlace {
         double right_m, up_m, coverage;
     };
-    using KindPlaces = std::map<std::pair<int, int>, std::vector<KindPlace>>;
+    struct KindPlaces {
+        double side_m;
+        std::map<std::pair<int, int>, std::vector<KindPlace>> byKind;
+    };
     /// The factors from one distance, and where they are; no places where nobody asked for them.
     struct FromOne {
         double distance_m;

@@ -73,7 +73,7 @@ RangeGeometry::KindPlaces placesOf(const PixelGeometry& pixels, const Sensor& se
                                    double distance_m) {
     const double side_m = sensor.pixelPitch() * distance_m;
     const auto width = static_cast<std::size_t>(sensor.width_px);
-    RangeGeometry::KindPlaces places;
+    RangeGeometry::KindPlaces places{side_m, {}};
     for (std::size_t cell = 0; cell < pixels.field.cells(); ++cell) {
         const double right_m =
             (static_cast<double>(cell % width) + 0.5 - 0.5 * sensor.width_px) * side_m;
@@ -82,38 +82,56 @@ RangeGeometry::KindPlaces placesOf(const PixelGeometry& pixels, const Sensor& se
         pixels.field.forEach(cell, [&](std::size_t number, std::span<const float> numbers) {
             const SurfaceStackId& kind = pixels.field.kinds()[number];
             if (const float coverage = numbers[ViewLayout::coverage()]; coverage > 0.0f)
-                places[{kind.stack, kind.row}].push_back(
+                places.byKind[{kind.stack, kind.row}].push_back(
                     {right_m, up_m, static_cast<double>(coverage)});
         });
     }
     return places;
 }
 
+/// Calls visit(pixel, part) for the pixels along one axis of so many that an interval has a part
+/// in; what is beyond the ends counts for them.
+template <typename Visit>
+void forEachPixelOf(double middle, double side, int pixels, Visit visit) {
+    const auto inside = [&](double place) { return std::clamp(place, 0.0, pixels - 1.0); };
+    const double begin = middle - 0.5 * side, end = middle + 0.5 * side;
+    const int first = static_cast<int>(inside(begin)), last = static_cast<int>(inside(end));
+    for (int pixel = first; pixel <= last; ++pixel) {
+        const double from = pixel == first ? begin : static_cast<double>(pixel);
+        const double to = pixel == last ? end : pixel + 1.0;
+        visit(pixel, (to - from) / side);
+    }
+}
+
 /// The mean of each background behind places of the drawing of a camera, as another one that looks
-/// along the same line from another range sees them.
+/// along the same line from another range sees them. Places are squares, upright in both.
 RadianceBehindKind radianceBehind(const RangeGeometry::KindPlaces& places,
                                   const std::vector<const FrameBackground*>& varying,
                                   const Viewpoint& drawnFrom, const Vec3& at_m,
                                   const CameraFrame& camera) {
     const Sensor& sensor = camera.sensor();
-    const auto pixel = [](double place, int size) {
-        return static_cast<int>(std::clamp(place, 0.0, size - 1.0));
-    };
+    const double range_m = length(at_m - camera.viewpoint().position_m);
+    const double side_px = places.side_m / (range_m * sensor.pixelPitch());
     std::map<std::pair<int, int>, std::vector<double>> behind;
     std::vector<double> all(varying.size());
     double coverageOfAll = 0.0;
-    for (const auto& [kind, own] : places) {
+    for (const auto& [kind, own] : places.byKind) {
         std::vector<double> sums(varying.size());
         double coverage = 0.0;
         for (const RangeGeometry::KindPlace& one : own) {
+            coverage += one.coverage;
             const auto seen =
                 camera.placeOf(at_m + drawnFrom.right * one.right_m + drawnFrom.up * one.up_m);
-            for (std::size_t k = 0; k < varying.size(); ++k)
-                sums[k] +=
-                    one.coverage * (seen ? varying[k]->at(pixel(seen->first, sensor.width_px),
-                                                          pixel(seen->second, sensor.height_px))
-                                         : varying[k]->centre_W_m2_sr());
-            coverage += one.coverage;
+            for (std::size_t k = 0; !seen && k < varying.size(); ++k)
+                sums[k] += one.coverage * varying[k]->centre_W_m2_sr();
+            if (!seen)
+                continue;
+            forEachPixelOf(seen->second, side_px, sensor.height_px, [&](int y, double partOfRow) {
+                forEachPixelOf(seen->first, side_px, sensor.width_px, [&](int x, double part) {
+                    for (std::size_t k = 0; k < varying.size(); ++k)
+                        sums[k] += one.coverage * partOfRow * part * varying[k]->at(x, y);
+                });
+            });
         }
         for (std::size_t k = 0; k < varying.size(); ++k)
             all[k] += sums[k];
@@ -195,8 +213,10 @@ ViewGeometry AspectSampler::sampleAlone(const Frame& frame, const CameraFrame& c
     GeometrySums sums(camera.sensor(), alone.rows, occluderStacks_, terms_.factorCount(), {},
                       frame.exchange(), withErrors(frame));
     ViewGeometry view = sums.emptyView();
+    // Coverage alone.
+    GeometrySums ofPixels(camera.sensor(), alone.rows, occluderStacks_, 0);
     if (alone.pixels)
-        *alone.pixels = sums.emptyPixels();
+        *alone.pixels = ofPixels.emptyPixels();
     const auto seen = planner_.seenBy(frame.surfaces, camera, alone.entity);
     if (!seen)
         return view;
@@ -217,7 +237,7 @@ ViewGeometry AspectSampler::sampleAlone(const Frame& frame, const CameraFrame& c
             clock_.timed("factor sums", [&] {
                 sums.addToView(tile, samples, view);
                 if (alone.pixels)
-                    sums.addToPixels(tile, samples, *alone.pixels);
+                    ofPixels.addToPixels(tile, samples, *alone.pixels);
             });
         }
     });

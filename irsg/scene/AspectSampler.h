@@ -46,7 +46,7 @@ class AspectSampler {
         int entity = 0, tileSide_samples = 0;
         const SurfaceRows& rows;
         bool isAmongTerrain = false;     ///< which may hide it; nothing else does
-        PixelGeometry* pixels = nullptr; ///< takes the factors of its pixels, where not null
+        PixelGeometry* pixels = nullptr; ///< takes the coverage of its pixels, where not null
     };
     /// Factors of one entity as a camera of its own sees it.
     ViewGeometry sampleAlone(const Frame& frame, const CameraFrame& camera, const Alone& alone);

@@ -94,6 +94,19 @@ SceneDescription sceneOf(AnalysisData& data, const DetectionRequest& request,
     return scene;
 }
 
+/// A frame that the sphere of a lone target fills, its radius in distances to it: what is behind it
+/// is seen as sharply as the target itself, and nothing beside it is rendered.
+irsg::Sensor frameOf(irsg::Sensor sensor, double nearness) {
+    constexpr int pixels = 32, margin_px = 3; // what is beside an object is looked at, too
+    constexpr double tooNear = 0.9;
+    if (nearness > tooNear)
+        return sensor;
+    const double tangent = nearness / std::sqrt(1.0 - nearness * nearness);
+    sensor.width_px = sensor.height_px = pixels + 2 * margin_px;
+    sensor.horizontalFieldOfView_rad = 2.0 * std::atan(tangent * sensor.width_px / pixels);
+    return sensor;
+}
+
 } // namespace
 
 DetectionScene::DetectionScene(AnalysisData& data, const DetectionRequest& request,
@@ -137,6 +150,10 @@ std::pair<double, double> TargetAspect::takeClutter(BackgroundClutter& clutter) 
     return {inKelvin(measured.deviation_W_m2_sr), inKelvin(measured.error_W_m2_sr)};
 }
 
+bool TargetAspect::isLone() const {
+    return scene_.entities.size() == 1;
+}
+
 double TargetAspect::reach_m() const {
     return shared_.door.reach_m(scene_.entities.front());
 }
@@ -146,14 +163,24 @@ double TargetAspect::drawnBelow_m() const {
     const irsg::Sensor& sensor = scene_.sensor;
     const double halfSide = 0.5 * sensor.pixelPitch() * std::min(sensor.width_px, sensor.height_px);
     constexpr double margin = 1.01;
-    return margin * reach_m() * std::max(1.0 / irsg::RangeGeometry::closest, 1.0 + 1.0 / halfSide);
+    const double ofFrame = isLone() ? 0.0 : 1.0 + 1.0 / halfSide;
+    return margin * reach_m() * std::max(1.0 / irsg::RangeGeometry::closest, ofFrame);
 }
 
 void TargetAspect::sampleFrom(double range_m) {
     if (sampledFrom_m_ == range_m)
         return;
     sampledFrom_m_ = range_m;
-    std::erase_if(known_, [](const auto& known) { return known.second.alongRangeReach_m > 0.0; });
+    // Far from there another sampling changes nothing of whether the target is seen.
+    constexpr double apart = 2.0;
+    const auto isFar = [](double one, double other) {
+        return std::max(one, other) > apart * std::min(one, other);
+    };
+    std::erase_if(known_, [&](const auto& known) {
+        return known.second.alongRangeReach_m > 0.0 &&
+               !(isFar(known.first.first, range_m) &&
+                 isFar(sight_.reached(known.second), sight_.wanted()));
+    });
 }
 
 TargetLook TargetAspect::at(double range_m, bool withErrors) {
@@ -161,7 +188,9 @@ TargetLook TargetAspect::at(double range_m, bool withErrors) {
     if (const auto known = known_.find(key); known != known_.end())
         return known->second;
     case_.range_m = range_m;
-    const PlacedCase placed = shared_.placer.place(scene_, case_);
+    PlacedCase placed = shared_.placer.place(scene_, case_);
+    if (isLone())
+        placed.view.sensor = frameOf(placed.view.sensor, reach_m() / range_m);
     const irsg::Outputs::Reports ofRange =
         sampledFrom_m_ ? irsg::Outputs::reports().alongRangeFrom(*sampledFrom_m_)
                        : irsg::Outputs::reports().alongRange();

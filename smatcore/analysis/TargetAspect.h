@@ -73,6 +73,9 @@ class TargetAspect {
     double alongRangeReach_m(const irsg::DetectionRange& found);
 
   private:
+    /// Whether there is no other object, which would count with it.
+    bool isLone() const;
+
     const DetectionScene& shared_;
     const SceneDescription& scene_;
     TargetSight& sight_;

@@ -395,6 +395,23 @@ TEST(SmatBatchDetection, RangesThatEndWhereTerrainHidesTheTargetSaySo) {
     EXPECT_THAT(ran.err, HasSubstr("1 of 2 aspects end where the target is hidden"));
 }
 
+// Waves and sky meet behind a ship, in pixels of the project that are larger than the ship.
+TEST(SmatBatchDetection, RangesBeforeTerrainDoNotDependOnThePixelsOfTheProject) {
+    const TemporaryFolder folder;
+    std::vector<double> ranges_m;
+    for (const char* fieldOfView_deg : {"15", "2"}) {
+        const Ran ran =
+            smatBatch({"detection", sample("corvette/corvette.smat"), "--sensor",
+                       std::string(SMAT_SOURCE_DIR) + "/resources/sensors/cooled-mwir.smatsensor",
+                       "--set", "render.bounces=0", "--from", "0", "--to", "1", "--step", "1",
+                       "--fov", fieldOfView_deg, "--out", folder / "r.csv"});
+        ASSERT_EQ(ran.exitCode, 0) << ran.err;
+        ranges_m.push_back(valueOf(ResultTable::load(folder / "r.csv"), "detection_range", 0));
+    }
+    EXPECT_GT(ranges_m[0], 20e3);
+    EXPECT_NEAR(ranges_m[0] / ranges_m[1], 1.0, 1e-9);
+}
+
 // Far behind the range that is found the path goes into the ground, which nobody asked about.
 TEST(SmatBatchDetection, RefusalsOfRangesBeyondTheOneThatIsFoundAreNotTold) {
     const TemporaryFolder folder;

@@ -129,7 +129,8 @@ TEST(FramePlanner, InterpolatesTheObjectThatASweepOfRangesLooksAt) {
     Stages stages;
     const Scene scene = ballsAt({0.0, 20.0});
     const FramePlan plan = stages.plan(scene, from(1000.0), Outputs::reports().alongRange());
-    EXPECT_EQ(numbersOf(plan.alongRange), Numbers{0});
+    ASSERT_EQ(plan.alongRange.size(), 1u);
+    EXPECT_EQ(plan.alongRange[0].object.entity, 0);
     EXPECT_EQ(numbersOf(plan.seen), Numbers{1});
     EXPECT_EQ(numbersOf(plan.drawn), Numbers{1});
     const FramePlan picture = stages.plan(scene, from(1000.0), Outputs::image());
