@@ -108,17 +108,23 @@ ResultTable realisationsTable(const std::vector<NamedRealisations>& runs) {
     return table;
 }
 
+std::vector<std::filesystem::path> monteCarloFiles(const std::filesystem::path& file,
+                                                   bool hasRanking) {
+    std::vector<std::filesystem::path> files{file};
+    if (hasRanking && file.extension() == ".csv")
+        files.push_back(file.parent_path() / (file.stem().string() + "-ranking.csv"));
+    return files;
+}
+
 std::vector<std::filesystem::path> saveMonteCarlo(const MonteCarloData& data,
                                                   const std::filesystem::path& file) {
     const std::string extension = file.extension().string();
     if (extension == ".csv") {
         data.analysis.table.save(file);
-        if (data.ranking.empty())
-            return {file};
-        const std::filesystem::path ranking =
-            file.parent_path() / (file.stem().string() + "-ranking.csv");
-        rankingTable(data).save(ranking);
-        return {file, ranking};
+        std::vector<std::filesystem::path> files = monteCarloFiles(file, !data.ranking.empty());
+        if (!data.ranking.empty())
+            rankingTable(data).save(files.back());
+        return files;
     }
     if (extension != ".json") {
         throw irsg::InputError({.file = file.string(),

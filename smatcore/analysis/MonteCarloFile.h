@@ -8,6 +8,10 @@
 
 namespace smat {
 
+/// The files that saveMonteCarlo() writes for one that is asked for, of a run with a ranking or
+/// without.
+std::vector<std::filesystem::path> monteCarloFiles(const std::filesystem::path& file,
+                                                   bool hasRanking);
 /// Bands as CSV, or everything as JSON; with a CSV of bands the ranking goes to FILE-ranking.csv
 /// beside it. Throws InputError for another extension and for a file that cannot be written.
 /// Returns the files written.

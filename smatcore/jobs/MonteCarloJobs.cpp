@@ -35,7 +35,15 @@ SceneDescription sceneOf(const MonteCarloJob& job, SceneBuilder& scenes) {
     return scene;
 }
 
-/// All files that the run of a scenario may write.
+/// All files that the run may write.
+std::vector<std::filesystem::path> filesOf(const MonteCarloJob& job) {
+    std::vector<std::filesystem::path> all;
+    for (const std::filesystem::path& file : job.files)
+        append(all, monteCarloFiles(file, job.data.options.ranking));
+    append(all, job.realisationFiles);
+    return all;
+}
+
 std::vector<std::filesystem::path> filesOf(const ScenarioMonteCarloJob& job) {
     std::vector<std::filesystem::path> all;
     for (const std::filesystem::path& file : job.files)
@@ -119,8 +127,7 @@ AnalysisPlan JobRunner::rehearse(MonteCarloJob& job, bool byTeam) {
         plan = monteCarlo.rehearse(job.data, cases ? &*cases : nullptr);
     });
     // Inputs are known by now.
-    irsg::collect(diagnostics, [&] { checkOutputs(job.files); });
-    irsg::collect(diagnostics, [&] { checkOutputs(job.realisationFiles); });
+    irsg::collect(diagnostics, [&] { checkOutputs(filesOf(job)); });
     if (!diagnostics.empty())
         throw irsg::InputError(diagnostics);
     return plan;
@@ -143,8 +150,7 @@ JobOutcome JobRunner::run(MonteCarloJob& job, const JobControl& control) {
         const StageTimer::Scope scope(control.timer, "load");
         scene = sceneOf(job, scenes_);
     }
-    checkOutputs(job.files);
-    checkOutputs(job.realisationFiles);
+    checkOutputs(filesOf(job));
     MonteCarlo monteCarlo(door(), [&](const Project&, const Settings&) { return scene; });
     JobOutcome outcome;
     if (isInParts) {

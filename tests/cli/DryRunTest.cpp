@@ -271,6 +271,9 @@ TEST_F(Rehearsal, OfMonteCarloRefusesWhatCannotBeDrawn) {
     fs::create_directory(folder_ / "d-south.csv");
     expectRefusedAlike(with(ofScenario, {"--draws", "d.csv"}), "d-south.csv");
     fs::remove(folder_ / "d-south.csv");
+    fs::create_directory(folder_ / "r-ranking.csv");
+    expectRefusedAlike(with(ofProject, {"--ranking"}), "r-ranking.csv");
+    fs::remove(folder_ / "r-ranking.csv");
     fs::remove(irsg::scalingFile(folder_ / "box.flt", irsg::ScalingKind::emissivity));
     expectRefusedAlike(ofProject, "scaling file");
     expectRefusedAlike(ofScenario, "scaling file");
