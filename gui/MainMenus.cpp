@@ -303,7 +303,7 @@ void MainMenus::makeToolsMenu(QMenu* menu) {
     })->setToolTip(tr("Parameters of an AtmosphereSmart with what they do to the scene"));
     needProject_.append(add(menu, "projectAir", "air", tr("&Project atmospheres"), {},
                             [this] { with_.air.showProjectAtmosphere(); }));
-    add(menu, "importAir", "import", tr("&Import results of MODTRAN…"), {},
+    add(menu, "importAir", "import", tr("&Import MODTRAN results…"), {},
         [this] { with_.air.importTables(); });
     addToolPages(*menu, with_.workbench, with_.dialogs,
                  [this](QWidget* page, const QIcon& picture, const QString& title) {

@@ -147,7 +147,7 @@ void ResultPage::showPlot(Dialogs dialogs) {
     quantity_ = new QComboBox(this);
     quantity_->setObjectName("quantity");
     quantity_->setMinimumWidth(90); // long titles give way where the page is narrow
-    quantity_->setToolTip(tr("Quantity that is drawn"));
+    quantity_->setToolTip(tr("Quantity to plot"));
     for (const auto& key : plottableQuantities(table))
         quantity_->addItem(quantityTitle(table, key), QString::fromStdString(key));
     panel_ = new PlotPanel(isPolar(table) ? PlotKind::polar : PlotKind::cartesian,

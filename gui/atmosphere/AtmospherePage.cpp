@@ -10,6 +10,7 @@
 #include "gui/atmosphere/AtmosphereSight.h"
 #include "gui/atmosphere/ParameterForm.h"
 #include "gui/start/DataFolder.h"
+#include "gui/widgets/FoldingSplitter.h"
 #include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Sentences.h"
 #include "gui/widgets/ThemeColors.h"
@@ -39,8 +40,8 @@ AtmospherePage::AtmospherePage(std::unique_ptr<AtmosphereDocument> document, Wor
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(0);
-    row->addWidget(makeSide());
-    row->addWidget(makePicture(), 1);
+    auto* side = makeSide();
+    row->addWidget(new FoldingSplitter(side, side->minimumSizeHint().width(), makePicture(), this));
     connect(document_.get(), &AtmosphereDocument::changed, this, &AtmospherePage::ask);
     connect(document_.get(), &AtmosphereDocument::stateChanged, this, [this] {
         refreshButtons();
@@ -79,7 +80,7 @@ QWidget* AtmospherePage::makeSide() {
     help_->setFixedHeight(6 * fontMetrics().lineSpacing());
     help_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     column->addWidget(help_);
-    save_ = new QPushButton(tr("Save air"), side);
+    save_ = new QPushButton(tr("Save atmosphere"), side);
     save_->setObjectName("saveAir");
     save_->setToolTip(tr("Save this atmosphere (Ctrl+S); a new one asks for a file name"));
     use_ = new QPushButton(tr("Use in the project"), side);
@@ -190,7 +191,8 @@ bool AtmospherePage::save() {
 bool AtmospherePage::saveAs() {
     const QString suggestion =
         document_->file().empty() ? "air.xml" : textOf(ownPlaceOf(document_->file()));
-    QString file = dialogs_.saveFile(this, tr("Save the air"), {tr("Air (*.xml)")}, suggestion);
+    QString file =
+        dialogs_.saveFile(this, tr("Save the atmosphere"), {tr("Air (*.xml)")}, suggestion);
     if (file.isEmpty())
         return false;
     return saveTo(file.toStdString());

@@ -50,7 +50,7 @@ AtmospherePlots::AtmospherePlots(QWidget* parent) : QWidget(parent) {
 CartesianPlot* AtmospherePlots::addPlot(QBoxLayout& layout, const char* name) {
     auto* plot = new CartesianPlot(PlotStyle::screen(palette()), this);
     plot->setObjectName(name);
-    plot->setMinimumSize(140, 110);
+    plot->setMinimumSize(140, 140); // as high as "Transmittance" is long
     layout.addWidget(plot, 1);
     return plot;
 }
@@ -83,11 +83,11 @@ void AtmospherePlots::showColumn(const AtmosphereProfile& column) {
                                  const std::vector<double>& values) {
         showIn(plot, {.title = {},
                       .xTitle = name,
-                      .yTitle = tr("Altitude (km)"),
+                      .yTitle = &plot == temperature_ ? tr("Altitude (km)") : QString(),
                       .curves = {{name, values, column.altitude_km}}});
     };
-    showProfile(*temperature_, tr("Air temperature (°C)"), column.temperature_C);
-    showProfile(*humidity_, tr("Relative humidity (%)"), column.relativeHumidity_percent);
+    showProfile(*temperature_, tr("Air (°C)"), column.temperature_C);
+    showProfile(*humidity_, tr("Humidity (%)"), column.relativeHumidity_percent);
 }
 
 void AtmospherePlots::clear() {

@@ -23,8 +23,8 @@ AtmosphereSight::AtmosphereSight(Workbench& workbench, QWidget* parent)
     : QWidget(parent), workbench_(workbench), targetPoint_(new TargetPoint(workbench, this)) {
     setObjectName("airSight");
     auto* grid = new QGridLayout(this);
-    grid->setContentsMargins(12, 8, 12, 8);
-    grid->setHorizontalSpacing(8);
+    grid->setContentsMargins(8, 8, 8, 8);
+    grid->setHorizontalSpacing(5);
     grid->setVerticalSpacing(4);
     ofProject_ = new QCheckBox(tr("Line of sight of the scene"), this);
     ofProject_->setObjectName("sightOfProject");

@@ -58,9 +58,9 @@ ImportAtmosphereDialog::ImportAtmosphereDialog(Workbench& workbench, Dialogs dia
                                                QWidget* parent)
     : QDialog(parent), workbench_(workbench), dialogs_(std::move(dialogs)) {
     setObjectName("importAirDialog");
-    setWindowTitle(tr("Import results of MODTRAN"));
+    setWindowTitle(tr("Import MODTRAN results"));
     resize(720, 520);
-    auto* words = new QLabel(tr("One run, or a family of runs of the same air on the same "
+    auto* words = new QLabel(tr("One run, or a family of runs of the same atmosphere on the same "
                                 "wavenumbers: tape7, CSV or JSON, or tables of our own."),
                              this);
     words->setWordWrap(true);
@@ -135,14 +135,14 @@ void ImportAtmosphereDialog::add(const std::vector<fs::path>& files) {
 
 void ImportAtmosphereDialog::addFile() {
     const QString file = dialogs_.openFile(
-        this, tr("Results of MODTRAN"),
+        this, tr("MODTRAN results"),
         {tr("Results (*tape7* *.fl7 *.tp7 *.scn *.csv *.json *.smatatm)"), tr("All files (*)")});
     if (!file.isEmpty())
         add({file.toStdString()});
 }
 
 void ImportAtmosphereDialog::addFolder() {
-    const QString folder = dialogs_.chooseFolder(this, tr("Folder with results of MODTRAN"), {});
+    const QString folder = dialogs_.chooseFolder(this, tr("Folder with MODTRAN results"), {});
     if (folder.isEmpty())
         return;
     std::vector<fs::path> found;
@@ -158,7 +158,7 @@ void ImportAtmosphereDialog::addFolder() {
     std::ranges::sort(found);
     if (found.empty())
         dialogs_.tell(this, tr("Nothing to import"),
-                      {tr("There are no results of MODTRAN in %1.").arg(folder)});
+                      {tr("There are no MODTRAN results in %1.").arg(folder)});
     add(found);
 }
 
@@ -233,8 +233,8 @@ void ImportAtmosphereDialog::showReading(const Reading& reading) {
 }
 
 void ImportAtmosphereDialog::save() {
-    const QString chosen = dialogs_.saveFile(this, tr("Save the table"),
-                                             {tr("Tables of air (*.smatatm)")}, "modtran.smatatm");
+    const QString chosen = dialogs_.saveFile(
+        this, tr("Save the table"), {tr("Tabulated atmospheres (*.smatatm)")}, "modtran.smatatm");
     if (chosen.isEmpty() || family_ == nullptr)
         return;
     try {
@@ -247,7 +247,7 @@ void ImportAtmosphereDialog::save() {
         Settings changed = workbench_.settings();
         changed.set(key::environmentAtmospheres,
                     file.string() + (before == "none" || before.empty() ? "" : ";" + before));
-        workbench_.set(changed, tr("Use imported air"));
+        workbench_.set(changed, tr("Use imported atmosphere"));
     } catch (const irsg::InputError& error) {
         dialogs_.tell(this, tr("This table cannot be saved"), sentencesOf(error));
     }

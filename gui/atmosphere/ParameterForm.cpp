@@ -1,5 +1,8 @@
 #include "gui/atmosphere/ParameterForm.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include <QComboBox>
 #include <QEvent>
 #include <QFormLayout>
@@ -17,6 +20,7 @@
 #include "gui/widgets/Theme.h"
 #include "gui/widgets/ThemeColors.h"
 #include "irsg/atmosphere/SmartParameterText.h"
+#include "irsg/core/Errors.h"
 
 namespace smat::gui {
 namespace {
@@ -37,6 +41,46 @@ std::string plainTextOf(const irsg::SmartParameter& parameter, const QString& te
         isNumber ? plainNumber(text, textOf(std::string_view(parameter.unit))) : text;
     return plain.trimmed().toStdString();
 }
+
+struct Label {
+    const char *name, *words;
+};
+constexpr Label labels[] = {
+    {"AerosolModel", QT_TRANSLATE_NOOP("smat::gui::ParameterForm", "Aerosol")},
+    {"Aerosols", QT_TRANSLATE_NOOP("smat::gui::ParameterForm", "All aerosols")},
+    {"AirMass", QT_TRANSLATE_NOOP("smat::gui::ParameterForm", "Air mass character")},
+    {"AlbedoValues", QT_TRANSLATE_NOOP("smat::gui::ParameterForm", "Albedo")},
+    {"AlbedoWavelengths", QT_TRANSLATE_NOOP("smat::gui::ParameterForm", "Albedo wavelengths")},
+    {"AtmosphereModel", QT_TRANSLATE_NOOP("smat::gui::ParameterForm", "Model atmosphere")},
+    {"BaseWavelengthMax", QT_TRANSLATE_NOOP("smat::gui::ParameterForm", "Band to")},
+    {"BaseWavelengthMin", QT_TRANSLATE_NOOP("smat::gui::ParameterForm", "Band from")},
+    {"Ch4_ppmv", QT_TRANSLATE_NOOP("smat::gui::ParameterForm", "Methane")},
+    {"CloudBaseAltitude", QT_TRANSLATE_NOOP("smat::gui::ParameterForm", "Cloud base")},
+    {"CloudExtinction", QT_TRANSLATE_NOOP("smat::gui::ParameterForm", "Cloud extinction")},
+    {"CloudModel", QT_TRANSLATE_NOOP("smat::gui::ParameterForm", "Cloud or rain")},
+    {"CloudThickness", QT_TRANSLATE_NOOP("smat::gui::ParameterForm", "Cloud thickness")},
+    {"Co2_ppmv", QT_TRANSLATE_NOOP("smat::gui::ParameterForm", "Carbon dioxide")},
+    {"GroundAltitude", QT_TRANSLATE_NOOP("smat::gui::ParameterForm", "Ground altitude")},
+    {"GroundTemperature", QT_TRANSLATE_NOOP("smat::gui::ParameterForm", "Ground temperature")},
+    {"IrradianceMode", QT_TRANSLATE_NOOP("smat::gui::ParameterForm", "Irradiance tables")},
+    {"MeasurementHeight", QT_TRANSLATE_NOOP("smat::gui::ParameterForm", "Measurement height")},
+    {"MeteoModel", QT_TRANSLATE_NOOP("smat::gui::ParameterForm", "Lowest kilometre")},
+    {"N2o_ppmv", QT_TRANSLATE_NOOP("smat::gui::ParameterForm", "Nitrous oxide")},
+    {"OzoneScale", QT_TRANSLATE_NOOP("smat::gui::ParameterForm", "Ozone factor")},
+    {"PressureMH", QT_TRANSLATE_NOOP("smat::gui::ParameterForm", "Measured pressure")},
+    {"Radiosonde", QT_TRANSLATE_NOOP("smat::gui::ParameterForm", "Radiosonde ascent")},
+    {"RelativeHumidityMH", QT_TRANSLATE_NOOP("smat::gui::ParameterForm", "Measured humidity")},
+    {"Resolution", QT_TRANSLATE_NOOP("smat::gui::ParameterForm", "Spectral resolution")},
+    {"ScatteringMode", QT_TRANSLATE_NOOP("smat::gui::ParameterForm", "Scattering")},
+    {"TemperatureALT0", QT_TRANSLATE_NOOP("smat::gui::ParameterForm", "Temperature at 0 m")},
+    {"TemperatureMH", QT_TRANSLATE_NOOP("smat::gui::ParameterForm", "Measured temperature")},
+    {"Visibility", QT_TRANSLATE_NOOP("smat::gui::ParameterForm", "Visibility")},
+    {"WaterScale", QT_TRANSLATE_NOOP("smat::gui::ParameterForm", "Water vapour factor")},
+    {"WindDirection", QT_TRANSLATE_NOOP("smat::gui::ParameterForm", "Wind direction")},
+    {"WindSpeed", QT_TRANSLATE_NOOP("smat::gui::ParameterForm", "Wind speed")},
+    {"WindSpeedAverage24", QT_TRANSLATE_NOOP("smat::gui::ParameterForm", "Mean wind, 24 h")},
+    {"WindSpeedMeasurementHeight",
+     QT_TRANSLATE_NOOP("smat::gui::ParameterForm", "Height of the wind")}};
 
 QString titleOf(irsg::SmartGroup group) {
     switch (group) {
@@ -64,14 +108,24 @@ QString valueOf(const irsg::SmartParameter& parameter,
 
 } // namespace
 
+QString labelOf(const irsg::SmartParameter& parameter) {
+    const auto* found = std::ranges::find(labels, parameter.name, &Label::name);
+    if (found == std::end(labels))
+        throw irsg::LogicError("a parameter of an atmosphere has no label: " +
+                               std::string(parameter.name));
+    return ParameterForm::tr(found->words);
+}
+
 QString helpText(const irsg::SmartParameter& parameter) {
     const QString usual = valueOf(parameter, {});
-    return QStringLiteral("<p style='white-space:normal'>%1</p><p><i>%2</i></p>")
+    return QStringLiteral("<p style='white-space:normal'>%1</p><p><i>%2</i> "
+                          "<small>%3</small></p>")
         .arg(textOf(parameter.help).toHtmlEscaped(),
              ParameterForm::tr("%1; by default %2")
                  .arg(withFormattedUnits(textOf(parameter.range)),
                       usual.isEmpty() ? ParameterForm::tr("none") : usual)
-                 .toHtmlEscaped());
+                 .toHtmlEscaped(),
+             textOf(parameter.name));
 }
 
 ParameterForm::ParameterForm(AtmosphereDocument& document, Dialogs dialogs, QWidget* parent)
@@ -108,10 +162,10 @@ void ParameterForm::addField(QFormLayout& form, const irsg::SmartParameter& para
     if (parameter.kind == irsg::KarmaKind::entityType)
         return;
     Field field{.parameter = &parameter};
-    field.label = new QLabel(textOf(parameter.name), this);
+    field.label = new QLabel(labelOf(parameter), this);
     QWidget* widget = parameter.codes.empty() ? makeText(field) : makeCodes(field);
     widget->setObjectName(textOf(parameter.name));
-    widget->setAccessibleName(textOf(parameter.name));
+    widget->setAccessibleName(labelOf(parameter));
     widget->setToolTip(helpText(parameter));
     widget->setProperty("parameter", static_cast<int>(fields_.size()));
     widget->installEventFilter(this);
@@ -139,7 +193,7 @@ void ParameterForm::addField(QFormLayout& form, const irsg::SmartParameter& para
 
 QWidget* ParameterForm::makeText(Field& field) {
     auto* edit = field.text = new QLineEdit(this);
-    edit->setMinimumWidth(90);
+    edit->setMinimumWidth(70);
     if (field.parameter->kind == irsg::KarmaKind::string)
         edit->setPlaceholderText(tr("none"));
     connect(edit, &QLineEdit::textEdited, this,
@@ -208,7 +262,7 @@ void ParameterForm::type(const Field& field, const QString& text) {
     if (!wrong.empty())
         return mark(field, sentenceOf(wrong.front()));
     mark(field, {});
-    document_.set(after, tr("Set %1").arg(textOf(field.parameter->name)), gesture_);
+    document_.set(after, tr("Set %1").arg(labelOf(*field.parameter)), gesture_);
 }
 
 void ParameterForm::finish() {

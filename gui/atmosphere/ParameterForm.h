@@ -14,11 +14,11 @@ class QLineEdit;
 
 namespace smat::gui {
 
-/// The parameters of an air as fields, made from the table of AtmosphereSmart: name, unit, range,
-/// help, codes by their words. Each field has the object name of its parameter. What is typed in
-/// one go is one step of the document; a text that is no value of its parameter, or out of its
-/// range, is marked and goes when the typing is over. Names of values that differ from the default
-/// are bold.
+/// The parameters of an air as fields, made from the table of AtmosphereSmart: words, unit, range,
+/// help with the name in files, codes by their words. Each field has the object name of its
+/// parameter. What is typed in one go is one step of the document; a text that is no value of its
+/// parameter, or out of its range, is marked and goes when the typing is over. Names of values that
+/// differ from the default are bold.
 class ParameterForm : public QWidget {
     Q_OBJECT
 
@@ -63,7 +63,10 @@ class ParameterForm : public QWidget {
     QString problem_;
 };
 
-/// Help, range and default of a parameter for a tooltip or a panel, as rich text.
+/// "Measured pressure" of PressureMH.
+QString labelOf(const irsg::SmartParameter& parameter);
+
+/// Help, range, default and name of a parameter for a tooltip or a panel, as rich text.
 QString helpText(const irsg::SmartParameter& parameter);
 
 } // namespace smat::gui

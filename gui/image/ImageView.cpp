@@ -322,12 +322,13 @@ QString ImageView::statisticsText(const std::optional<irsg::PixelRectangle>& sel
                                    .arg(selection->y)
                              : tr("Image %1 × %2").arg(image_->width()).arg(image_->height());
     text += tr("     min %1   max %2   mean %3   median %4   σ %5   sum %6")
-                .arg(formattedNumber(s.minimum), formattedNumber(s.maximum),
-                     formattedNumber(s.mean), formattedNumber(s.median),
-                     formattedNumber(s.standardDeviation), formattedNumber(s.sum));
+                .arg(sentenceNumber(s.minimum), sentenceNumber(s.maximum), sentenceNumber(s.mean),
+                     sentenceNumber(s.median), sentenceNumber(s.standardDeviation),
+                     sentenceNumber(s.sum));
     if (figures.contrastIntensity_W_sr)
         text += tr("     contrast intensity %1")
-                    .arg(valueWithUnit(*figures.contrastIntensity_W_sr, "W sr-1"));
+                    .arg(valueWithUnit(*figures.contrastIntensity_W_sr, "W sr-1",
+                                       [](double value) { return sentenceNumber(value); }));
     const auto missing = s.nan + s.positiveInfinite + s.negativeInfinite;
     if (missing > 0)
         text += tr("     %1 pixels without a value").arg(missing);

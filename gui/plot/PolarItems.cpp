@@ -141,6 +141,30 @@ const std::vector<QPointF>& GappedPolarCurve::directionsFor(const QwtScaleMap& a
     return directions_;
 }
 
+void RadiusLabels::draw(QPainter* painter, const QPalette& palette) const {
+    constexpr double gap_px = 4.0;
+    QList<double> ticks = scaleDiv().ticks(QwtScaleDiv::MajorTick);
+    std::ranges::sort(ticks);
+    double closest_px = std::numeric_limits<double>::max(), widest_px = 0.0;
+    for (qsizetype i = 0; i < ticks.size(); ++i) {
+        widest_px = std::max(widest_px, labelRect(painter->font(), ticks[i]).width());
+        if (i > 0)
+            closest_px = std::min(closest_px, std::abs(scaleMap().transform(ticks[i]) -
+                                                       scaleMap().transform(ticks[i - 1])));
+    }
+    const auto every = static_cast<qsizetype>(
+        std::max(1.0, std::ceil((widest_px + gap_px) / std::max(closest_px, 1.0))));
+    numbered_.clear();
+    for (qsizetype i = ticks.size() - 1; i >= 0; i -= every)
+        numbered_ << ticks[i];
+    NumberLabels::draw(painter, palette);
+}
+
+void RadiusLabels::drawLabel(QPainter* painter, double value) const {
+    if (numbered_.contains(value))
+        NumberLabels::drawLabel(painter, value);
+}
+
 QwtText AngleLabels::label(double value) const {
     const double turned = std::fmod(value, 360.0);
     return QwtText(QString::number(turned) + QStringLiteral("°"));

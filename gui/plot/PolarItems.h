@@ -10,6 +10,7 @@
 
 #include "gui/plot/CurveDrawing.h"
 #include "gui/plot/CurveItem.h"
+#include "gui/plot/PlotLook.h"
 #include "gui/widgets/Theme.h"
 
 namespace smat::gui {
@@ -46,6 +47,19 @@ class GappedPolarCurve : public CurveItemOf<QwtPolarCurve> {
     Band band_;
     mutable std::array<double, 4> turn_{}; ///< ends of the map that the directions are of
     mutable std::vector<QPointF> directions_;
+};
+
+/// The numbers along the radius: where circles are closer than their numbers are wide every second
+/// one has none, or every third; the outermost always has one.
+class RadiusLabels : public NumberLabels {
+  public:
+    void draw(QPainter* painter, const QPalette& palette) const override;
+
+  protected:
+    void drawLabel(QPainter* painter, double value) const override;
+
+  private:
+    mutable QList<double> numbered_;
 };
 
 /// "0°" to "330°"; 360 is 0.

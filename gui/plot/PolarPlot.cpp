@@ -61,7 +61,7 @@ PolarPlot::PolarPlot(const PlotStyle& style, QWidget* parent)
     grid_->setFont(plotFont(0.9));
     grid_->setAzimuthScaleDraw(new AngleLabels);
     // Numbers end at their circle, so that the last one does not run into 90°.
-    auto* radii = new NumberLabels;
+    auto* radii = new RadiusLabels;
     radii->setLabelAlignment(Qt::AlignLeft | Qt::AlignBottom);
     grid_->setScaleDraw(QwtPolar::AxisRight, radii);
     grid_->setDisplayFlag(QwtPolarGrid::HideMaxRadiusLabel, false);

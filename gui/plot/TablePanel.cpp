@@ -56,7 +56,7 @@ QComboBox* TablePanel::box(const QString& name, const QString& tip) {
 
 void TablePanel::fillBar() {
     auto* flow = new FlowBar(this);
-    quantity_ = box("tableQuantity", tr("Quantity that is drawn"));
+    quantity_ = box("tableQuantity", tr("Quantity to plot"));
     for (const TableVariable& variable : variables_.list) {
         const QString unit = formattedUnit(variable.unit);
         quantity_->addItem(QString::fromStdString(variable.title) +

@@ -13,6 +13,7 @@
 
 #include "gui/analysis/ResultPage.h"
 #include "gui/analysis/ResultStore.h"
+#include "gui/widgets/FoldingSplitter.h"
 #include "gui/widgets/VerticalScrollArea.h"
 #include "gui/workbench/Workbench.h"
 #include "smatcore/analysis/ResultFile.h"
@@ -97,8 +98,7 @@ AtmosphereToolPage::AtmosphereToolPage(Workbench& workbench, Dialogs dialogs, QW
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(0);
-    row->addWidget(scroll);
-    row->addWidget(right, 1);
+    row->addWidget(new FoldingSplitter(scroll, scroll->minimumSizeHint().width(), right, this));
 
     connect(compute_, &QPushButton::clicked, this, &AtmosphereToolPage::compute);
     connect(cancel_, &QPushButton::clicked, &calculation_, &Calculation::cancel);

@@ -125,11 +125,11 @@ void CostAccuracyPage::countConfigurations() {
                 options.likely
                     ? tr("%1 configurations, of which %2 are measured first and then the likely "
                          "ones: about "
-                         "%3 to %4, where drawing is done in software.")
+                         "%3 to %4, with rendering in software.")
                           .arg(size.all)
                           .arg(size.alone)
                           .arg(least, most)
-                    : tr("%1 configurations: about %2, where drawing is done in software.")
+                    : tr("%1 configurations: about %2, with rendering in software.")
                           .arg(size.all)
                           .arg(most));
         },
@@ -145,7 +145,7 @@ QString CostAccuracyPage::progressText(const Progress& progress) const {
 }
 
 QString CostAccuracyPage::cancelText() const {
-    return tr("cancelled; what is done so far follows in a moment");
+    return tr("cancelling; the cases done so far are shown in a moment");
 }
 
 void CostAccuracyPage::showResult(const JobResult& result) {

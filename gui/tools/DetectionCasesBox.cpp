@@ -62,23 +62,22 @@ DetectionCasesBox::DetectionCasesBox(QWidget* parent) : QWidget(parent) {
                      tr("ranges against humidity"), tr("ranges against the hour"),
                      tr("ranges against the band"), tr("ranges against paint"),
                      tr("probability over range")});
-    what_->setToolTip(tr("What the table has, and the plot shows"));
+    what_->setToolTip(tr("Rows of the table and abscissa of the plot"));
     values_ = lineOf("values", {}, this);
-    values_->setToolTip(
-        tr("Separated by commas. Each row has the mean, least and greatest range of "
-           "all aspects."));
+    values_->setToolTip(tr(
+        "Separated by commas. Each row has the mean, shortest and longest range of all aspects."));
     paint_ = lineOf("paint", tr("a material of the target"), this);
     paint_->setToolTip(tr("The material of the target that is replaced"));
     sunOf_ = lineOf("sunOf", tr("2025-06-21, 54.3, 10.1"), this);
-    sunOf_->setToolTip(tr("Day, latitude and longitude whose sun is seen at these hours of local "
-                          "solar time; without it the sun stays"));
+    sunOf_->setToolTip(tr("Day, latitude and longitude that give the sun at these hours of local "
+                          "solar time; if empty, the sun does not move"));
     ranges_ = lineOf("ranges", tr("1000, 2000, 4000 (m)"), this);
     draws_ = new RealBox("draws", {}, this);
     draws_->setDecimals(0);
     draws_->setRange(0.0, 1e6);
     draws_->setSpecialValueText(tr("none"));
-    draws_->setToolTip(tr("Of the scaling files beside the models, over which the mean is taken as "
-                          "well"));
+    draws_->setToolTip(tr("Draws from the scaling files beside the models, over which the "
+                          "probability is averaged as well"));
     form_->addRow(what_);
     form_->addRow(tr("Values"), values_);
     form_->addRow(tr("Paint"), paint_);

@@ -17,7 +17,9 @@
 #include "gui/tools/DetectionCasesBox.h"
 #include "gui/tools/DetectionPlot.h"
 #include "gui/tools/SensorChooser.h"
+#include "gui/widgets/NotesArea.h"
 #include "gui/widgets/NumberBoxes.h"
+#include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Sentences.h"
 #include "gui/widgets/Widgets.h"
 #include "gui/workbench/Workbench.h"
@@ -91,7 +93,7 @@ QWidget* DetectionPage::makeSensorBox(QWidget* parent) {
 }
 
 QWidget* DetectionPage::makeCriterionBox(QWidget* parent) {
-    auto* box = new QGroupBox(tr("The target is seen where"), parent);
+    auto* box = new QGroupBox(tr("Detection criterion"), parent);
     criteria_ = formOf(box);
     criterion_ = new QComboBox(box);
     criterion_->setObjectName("criterion");
@@ -102,8 +104,8 @@ QWidget* DetectionPage::makeCriterionBox(QWidget* parent) {
     criterion_->addItem(tr("its shape is resolved (TTP)"),
                         static_cast<int>(RangeCriterion::targeting));
     criterion_->setToolTip(
-        tr("A small target is a point whose whole light falls into one pixel. A large one has "
-           "to be resolved: its mean contrast decides how many cycles across it are seen."));
+        tr("A small target is a point whose radiation all falls into one pixel. A large one must "
+           "be resolved: its mean contrast decides how many cycles across it are seen."));
     snr_ = boxOf("snr", {}, {0.01, 1e6, 5.0, 2}, box);
     thresholdBy_ = new QComboBox(box);
     thresholdBy_->setObjectName("thresholdBy");
@@ -114,9 +116,10 @@ QWidget* DetectionPage::makeCriterionBox(QWidget* parent) {
     falseAlarms_->setToolTip(
         tr("Probability that noise alone passes the threshold in a pixel and a frame"));
     pointProbability_ = boxOf("pointProbability", "%", {0.0, 99.9, 0.0, 1}, box);
-    pointProbability_->setSpecialValueText(tr("not asked for"));
-    pointProbability_->setToolTip(tr("That signal and noise together pass the threshold, the mean "
-                                     "over all places of the image in its pixel"));
+    pointProbability_->setSpecialValueText(tr("not required"));
+    pointProbability_->setToolTip(
+        tr("Probability that the signal with its noise passes the threshold, averaged over all "
+           "positions of the image within a pixel"));
     clutterBy_ = new QComboBox(box);
     clutterBy_->setObjectName("clutterBy");
     clutterBy_->addItem(tr("none"));
@@ -128,7 +131,7 @@ QWidget* DetectionPage::makeCriterionBox(QWidget* parent) {
     place_ = new QComboBox(box);
     place_->setObjectName("pointPlace");
     place_->addItem(tr("in the middle of a pixel"), static_cast<int>(PointPlace::centre));
-    place_->addItem(tr("anywhere: its mean"), static_cast<int>(PointPlace::mean));
+    place_->addItem(tr("anywhere (mean)"), static_cast<int>(PointPlace::mean));
     place_->addItem(tr("where four pixels meet"), static_cast<int>(PointPlace::corner));
     task_ = new QComboBox(box);
     task_->setObjectName("task");
@@ -141,8 +144,8 @@ QWidget* DetectionPage::makeCriterionBox(QWidget* parent) {
     criteria_->addRow(tr("False alarms"), falseAlarms_);
     criteria_->addRow(tr("Detected with"), pointProbability_);
     criteria_->addRow(tr("Clutter"), clutterBy_);
-    criteria_->addRow(tr("Its deviation"), clutter_);
-    criteria_->addRow(tr("Image of the point"), place_);
+    criteria_->addRow(tr("Standard deviation"), clutter_);
+    criteria_->addRow(tr("Position in pixel"), place_);
     criteria_->addRow(tr("Task"), task_);
     criteria_->addRow(tr("Probability"), probability_);
     sceneContrast_ =
@@ -151,23 +154,23 @@ QWidget* DetectionPage::makeCriterionBox(QWidget* parent) {
                                   "white"));
     criteria_->addRow(tr("Scene contrast"), sceneContrast_);
     leftOut_ = menuButton({}, "leftOut",
-                          tr("Temperatures and materials whose surfaces are not counted: hot parts "
-                             "and plumes that nobody resolves"));
+                          tr("Surfaces with these temperatures and materials are not counted, such "
+                             "as hot parts and plumes that are not resolved"));
     criteria_->addRow(tr("Left out"), leftOut_);
     return box;
 }
 
 QWidget* DetectionPage::makePlaceBox(QWidget* parent) {
-    auto* box = new QGroupBox(tr("Where it is looked for"), parent);
+    auto* box = new QGroupBox(tr("Search"), parent);
     QFormLayout* form = places_ = formOf(box);
-    step_ = boxOf("aspectStep", "deg", {0.1, 90.0, 10.0, 3}, box);
+    step_ = boxOf("aspectStep", tr("°"), {0.1, 90.0, 10.0, 3}, box);
     step_->setToolTip(tr("Between two aspects. Type, elevation and sector are those of the "
                          "project's polar plot; directions are those of its signature table."));
     nearest_ = boxOf("nearest", "m", {0.1, 1e9, 100.0, 1}, box);
     farthest_ = boxOf("farthest", "m", {0.1, 1e9, 1e6, 1}, box);
     background_ = boxOf("backgroundTemperature", "K", {0.0, 5000.0, 0.0, 2}, box);
     background_->setSpecialValueText(tr("that of the scene"));
-    background_->setToolTip(tr("Of the background whose photons make noise"));
+    background_->setToolTip(tr("Temperature of the background whose photons cause noise"));
     form->addRow(tr("Step"), step_);
     form->addRow(tr("Nearest range"), nearest_);
     form->addRow(tr("Farthest range"), farthest_);
@@ -188,13 +191,11 @@ QWidget* DetectionPage::makeRight() {
     plot_ = new DetectionPlot(dialogs_, right);
     summary_ = new QLabel(right);
     summary_->setObjectName("summary");
-    summary_->setWordWrap(true);
     summary_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     summary_->setContentsMargins(12, 6, 12, 8);
-    summary_->setText(tr("The range at which the sensor just sees the target is drawn here once it "
-                         "was calculated."));
+    summary_->setText(tr("Run shows here the range at which the sensor just detects the target."));
     column->addWidget(plot_, 1);
-    column->addWidget(summary_);
+    column->addWidget(new NotesArea(summary_, 110, right));
     return right;
 }
 
@@ -339,7 +340,7 @@ QString DetectionPage::progressText(const Progress& progress) const {
 }
 
 QString DetectionPage::cancelText() const {
-    return tr("cancelled; what is done so far follows in a moment");
+    return tr("cancelling; the cases done so far are shown in a moment");
 }
 
 void DetectionPage::showResult(const JobResult& result) {
@@ -347,9 +348,9 @@ void DetectionPage::showResult(const JobResult& result) {
         return;
     result_ = result.data;
     plot_->setResult(result_);
-    setProgress(
-        1000,
-        tr("%1 rows in %2 s").arg(result_->table.rowCount()).arg(result_->elapsed_s, 0, 'f', 2));
+    setProgress(1000, tr("%1 rows in %2 s")
+                          .arg(result_->table.rowCount())
+                          .arg(sentenceNumber(result_->elapsed_s, 3)));
     QStringList lines;
     const QString sensitivity = tr("Sensitivity of the range to: ");
     QStringList sensitivities;

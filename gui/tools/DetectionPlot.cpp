@@ -23,6 +23,10 @@ DetectionPlot::DetectionPlot(Dialogs dialogs, QWidget* parent)
     // Not that of the widest page, which may be hidden.
     setMinimumWidth(240);
     rose_ = panelOf(true);
+    PolarData empty;
+    empty.title = tr("Detection range");
+    empty.clockwise = true;
+    rose_.panel->polar()->setData(std::move(empty));
     curves_ = panelOf(false);
 }
 
@@ -32,7 +36,9 @@ DetectionPlot::Panel DetectionPlot::panelOf(bool isPolar) {
     made.quantity = new QComboBox(made.panel);
     made.quantity->setObjectName(isPolar ? "quantity" : "quantityOfCurves");
     made.quantity->setMinimumWidth(90);
-    made.quantity->setToolTip(tr("Quantity that is drawn"));
+    made.quantity->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    made.quantity->hide(); // until there is something to choose from
+    made.quantity->setToolTip(tr("Quantity to plot"));
     made.panel->addInFront(made.quantity);
     connect(made.quantity, &QComboBox::activated, this, &DetectionPlot::draw);
     pages_->addWidget(made.panel);
@@ -67,6 +73,7 @@ void DetectionPlot::setResult(std::shared_ptr<const AnalysisData> result) {
         if (at < 0)
             at = shown.quantity->findData(QString(usual));
     shown.quantity->setCurrentIndex(std::max(at, 0));
+    shown.quantity->show();
     draw();
 }
 

@@ -69,9 +69,8 @@ QWidget* MonteCarloPage::makeForm() {
     scalesNote_->setWordWrap(true);
     write_ = new QPushButton(tr("Write scaling files"), scalesBox);
     write_->setObjectName("writeScalingFiles");
-    write_->setToolTip(
-        tr("Writes both files beside the model with scales of 1, to be edited; files "
-           "that are there are not touched"));
+    write_->setToolTip(tr("Writes both files beside the model with scales of 1, to be edited; "
+                          "existing files are left unchanged"));
     scalesColumn->addWidget(scales_, 1);
     scalesColumn->addWidget(scalesNote_);
     scalesColumn->addWidget(write_);
@@ -93,9 +92,8 @@ void MonteCarloPage::addWhat(QFormLayout* form) {
     percentiles_->setToolTip(tr("Bands of the plot, in %: ascending numbers from 0 to 100"));
     subpixelShifts_ =
         wholeNumber("subpixelShifts", 1, MonteCarloOptions::mostSubpixelShifts, 4, this);
-    subpixelShifts_->setToolTip(
-        tr("Renderings of each case with the target at different places among the "
-           "pixels, for the error of the rendering itself. 1 for none."));
+    subpixelShifts_->setToolTip(tr("Renderings of each case with the target at different sub-pixel "
+                                   "shifts, which estimate the numerical error. 1: no estimate."));
     form->addRow(tr("Analysis"), analysis_);
     form->addRow(tr("Quantity"), quantity_);
     form->addRow(tr("Percentiles (%)"), percentiles_);
@@ -120,7 +118,8 @@ void MonteCarloPage::addRealisations(QFormLayout* form) {
     standardError_->setRange(0.0001, 50.0);
     standardError_->setDecimals(4);
     standardError_->setValue(0.1);
-    standardError_->setToolTip(tr("Of the largest magnitude of the statistic over the sweep"));
+    standardError_->setToolTip(
+        tr("Relative to the largest magnitude of the statistic over the sweep"));
     statistic_ = choice("statistic",
                         {{tr("Mean"), "mean"},
                          {tr("Standard deviation"), "standard-deviation"},
@@ -128,16 +127,15 @@ void MonteCarloPage::addRealisations(QFormLayout* form) {
                          {tr("Median"), "p50"},
                          {tr("95th percentile"), "p95"}},
                         this);
-    form->addRow(tr("Draws at most"), samples_);
+    form->addRow(tr("Maximum draws"), samples_);
     form->addRow(tr("Sequence"), sequence_);
     form->addRow(tr("Seed"), seed_);
     form->addRow(tr("Standard error of"), statistic_);
     ranks_ = new QCheckBox(tr("Rank by pairs of draws"), this);
     ranks_->setObjectName("ranks");
     ranks_->setChecked(true);
-    ranks_->setToolTip(
-        tr("Ranks the scales by first-order Sobol' indices over the whole sweep: the "
-           "share of the variance that would go if the scale were known"));
+    ranks_->setToolTip(tr("Ranks the scales by first-order Sobol' indices over the whole sweep: "
+                          "the share of the variance that would vanish if the scale were known"));
     pairs_ = wholeNumber("pairs", MonteCarloOptions::leastRankingPairs,
                          MonteCarloOptions::mostRankingPairs, 1024, this);
     pairs_->setSingleStep(256);

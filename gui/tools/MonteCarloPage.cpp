@@ -16,6 +16,7 @@
 #include "gui/analysis/SummaryText.h"
 #include "gui/start/DataFolder.h"
 #include "gui/widgets/DisplayUnits.h"
+#include "gui/widgets/NotesArea.h"
 #include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/NumberText.h"
 #include "gui/widgets/Sentences.h"
@@ -56,14 +57,13 @@ MonteCarloPage::MonteCarloPage(Workbench& workbench, Dialogs dialogs, QWidget* p
     plots_ = new MonteCarloPlots(right);
     summary_ = new QLabel(right);
     summary_->setObjectName("summary");
-    summary_->setWordWrap(true);
     summary_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     summary_->setContentsMargins(12, 6, 12, 8);
-    summary_->hide();
+    auto* notes = new NotesArea(summary_, 110, right);
     connect(&DisplayUnitsWatch::instance(), &DisplayUnitsWatch::changed, this,
             &MonteCarloPage::summarize);
     rightColumn->addWidget(plots_, 1);
-    rightColumn->addWidget(summary_);
+    rightColumn->addWidget(notes);
 
     connect(write_, &QPushButton::clicked, this, &MonteCarloPage::writeScalingFiles);
     for (QComboBox* box : {analysis_, quantity_, sequence_, statistic_})
@@ -75,7 +75,7 @@ MonteCarloPage::MonteCarloPage(Workbench& workbench, Dialogs dialogs, QWidget* p
     connect(standardError_, &QDoubleSpinBox::valueChanged, this, &MonteCarloPage::refresh);
     connect(percentiles_, &QLineEdit::textChanged, this, &MonteCarloPage::refresh);
     connect(&workbench_.database(), &DatabaseSession::stateChanged, this, &MonteCarloPage::refresh);
-    layOut(form, 360, tr("Stops and keeps the draws there are"), right);
+    layOut(form, 360, tr("Stops and keeps the draws made so far"), right);
 }
 
 void MonteCarloPage::reload() {
@@ -256,21 +256,20 @@ QString MonteCarloPage::progressText(const Progress& progress) const {
 }
 
 QString MonteCarloPage::cancelText() const {
-    return tr("cancelled; the draws so far follow in a moment");
+    return tr("cancelling; the draws made so far are shown in a moment");
 }
 
 void MonteCarloPage::showResult(const JobResult& result) {
     if (!result.monteCarlo)
         return;
     const MonteCarloData& data = *result.monteCarlo;
-    setProgress(
-        1000,
-        tr("%1 draws in %2 s").arg(data.realisations()).arg(data.analysis.elapsed_s, 0, 'f', 2));
+    setProgress(1000, tr("%1 draws in %2 s")
+                          .arg(data.realisations())
+                          .arg(sentenceNumber(data.analysis.elapsed_s, 3)));
     plots_->setData(data);
     items_ = data.analysis.summary;
     warnings_ = data.analysis.warnings;
     summarize();
-    summary_->show();
     refresh();
 }
 

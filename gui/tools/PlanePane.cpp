@@ -31,12 +31,16 @@ void PlanePane::clear(const QString& title) {
 void PlanePane::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setPen(palette().color(QPalette::Text));
-    const int line = fontMetrics().height();
-    painter.drawText(QRect(0, 0, width(), line), Qt::AlignLeft | Qt::AlignVCenter,
-                     fontMetrics().elidedText(title_, Qt::ElideRight, width()));
+    int top = 0;
+    for (const QString& line : title_.split('\n')) {
+        painter.drawText(QRect(0, top, width(), fontMetrics().height()),
+                         Qt::AlignLeft | Qt::AlignVCenter,
+                         fontMetrics().elidedText(line, Qt::ElideRight, width()));
+        top += fontMetrics().height();
+    }
     if (plane_.isEmpty())
         return;
-    const QRectF room(0.0, line + 4.0, width(), height() - line - 4.0);
+    const QRectF room(0.0, top + 4.0, width(), height() - top - 4.0);
     const QSizeF size =
         QSizeF(plane_.width(), plane_.height()).scaled(room.size(), Qt::KeepAspectRatio);
     const QRectF target(room.topLeft(), size);

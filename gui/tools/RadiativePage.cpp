@@ -182,7 +182,7 @@ Calculation::Work RadiativePage::work() {
 
 void RadiativePage::useInProject() {
     const QString file = dialogs().saveFile(this, tr("Save the spectra as an input"),
-                                            {tr("Spectra of the air (*.csv)")}, "air.csv");
+                                            {tr("Atmospheric spectra (*.csv)")}, "air.csv");
     if (file.isEmpty())
         return;
     try {

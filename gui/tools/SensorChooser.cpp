@@ -101,15 +101,16 @@ void SensorChooser::describe() {
         const irsg::SensorDescription& sensor = *sensor_;
         const irsg::SensorNumbers numbers =
             irsg::sensorNumbers(sensor, 300.0, irsg::ConeConvention::exact, 1.0);
-        text_->setText(tr("%1\n%2–%3 µm, %4 × %5 pixels of %6 mrad, F/%7, NETD %8 mK at 300 K")
-                           .arg(QString::fromStdString(sensor.title),
-                                formattedNumber(sensor.detector.band.min_um),
-                                formattedNumber(sensor.detector.band.max_um))
-                           .arg(sensor.detector.columns)
-                           .arg(sensor.detector.rows)
-                           .arg(1e3 * sensor.pixelAngle_rad(), 0, 'g', 3)
-                           .arg(sensor.optics.fNumber(), 0, 'g', 3)
-                           .arg(1e3 * numbers.netd_K, 0, 'g', 3));
+        text_->setText(
+            tr("%1\n%2–%3 µm, %4 × %5 pixels of %6 mrad, F/⁠%7, NETD %8 mK at 300 K")
+                .arg(QString::fromStdString(sensor.title),
+                     formattedNumber(sensor.detector.band.min_um),
+                     formattedNumber(sensor.detector.band.max_um))
+                .arg(sensor.detector.columns)
+                .arg(sensor.detector.rows)
+                .arg(1e3 * sensor.pixelAngle_rad(), 0, 'g', 3)
+                .arg(sensor.optics.fNumber(), 0, 'g', 3)
+                .arg(1e3 * numbers.netd_K, 0, 'g', 3));
     } catch (const irsg::InputError& error) {
         problem_ = sentencesOf(error).join('\n');
         text_->setText(tr("This sensor cannot be used."));

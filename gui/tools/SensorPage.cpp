@@ -19,6 +19,8 @@
 #include "gui/tools/SensorChooser.h"
 #include "gui/tools/SensorScene.h"
 #include "gui/tools/StageCard.h"
+#include "gui/widgets/FoldingSplitter.h"
+#include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/VerticalScrollArea.h"
 #include "gui/workbench/Workbench.h"
 #include "irsg/core/Errors.h"
@@ -76,7 +78,7 @@ QString wordsOf(std::string key) {
 }
 
 QString rounded(double value) {
-    return QString::fromStdString(irsg::roundedText(value, 3));
+    return sentenceNumber(value, 3);
 }
 
 } // namespace
@@ -89,8 +91,9 @@ SensorPage::SensorPage(Workbench& workbench, Dialogs dialogs, QWidget* parent)
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(0);
-    row->addWidget(new VerticalScrollArea(makeSide(), this, 280));
-    row->addWidget(makeRight(), 1);
+    constexpr int side_px = 270;
+    auto* side = new VerticalScrollArea(makeSide(), this, side_px);
+    row->addWidget(new FoldingSplitter(side, side_px, makeRight(), this));
     connect(chooser_, &SensorChooser::changed, this, &SensorPage::takeSensor);
     connect(scenes_, &QComboBox::currentIndexChanged, this, &SensorPage::takeScene);
     connect(direction_, &QComboBox::currentIndexChanged, this, &SensorPage::takeSensor);
@@ -115,7 +118,7 @@ QWidget* SensorPage::makeSide() {
     problem_->setWordWrap(true);
     sensorColumn->addWidget(chooser_);
     sensorColumn->addWidget(problem_);
-    auto* seen = new QGroupBox(tr("What it looks at"), side);
+    auto* seen = new QGroupBox(tr("Scene"), side);
     auto* seenColumn = new QVBoxLayout(seen);
     scenes_ = new QComboBox(seen);
     scenes_->setObjectName("stageScene");
@@ -143,7 +146,7 @@ QWidget* SensorPage::makeSide() {
     command_->setObjectName("command");
     command_->setReadOnly(true);
     column->addWidget(command_);
-    side->setFixedWidth(270);
+    side->setFixedWidth(258);
     return side;
 }
 
@@ -232,7 +235,8 @@ void SensorPage::takeSensor() {
             if (i == electronics) {
                 cards_[i]->setCurve({},
                                     tr("%1 mK").arg(rounded(1e3 * numbersOfSensor_.totalNetd_K)));
-                cards_[i]->setToolTip(tr("NETD of all noise, pattern included, before 300 K"));
+                cards_[i]->setToolTip(tr(
+                    "NETD from all noise, fixed pattern included, against a background of 300 K"));
                 continue;
             }
             const std::vector<double> curve = i == wholeChain
@@ -261,8 +265,8 @@ void SensorPage::takeScene() {
     if (entry != nullptr)
         sceneText_->setText(QString::fromStdString(wordsOfPiece(*entry->image(), sensor)));
     else
-        sceneText_->setText(tr("Bars of periods of 8, 4 and 2 pixels, 10 K above 300 K, and a "
-                               "point of 500 K."));
+        sceneText_->setText(tr("Bars with periods of 8, 4 and 2 pixels, 10 K above a background of "
+                               "300 K, and a point of 500 K."));
     using Both = std::pair<irsg::StageScene, irsg::StagePictures>;
     const auto image = entry != nullptr ? entry->image() : nullptr;
     task_.run<Both>(
@@ -316,12 +320,12 @@ void SensorPage::drawTransfer() {
 void SensorPage::showPictures() {
     const bool isChain = chosen_ == wholeChain;
     const QString before =
-        isChain || chosen_ == 0 ? tr("Scene") : tr("Behind: %1").arg(tr(cardTitles[chosen_ - 1]));
+        isChain || chosen_ == 0 ? tr("Scene") : tr("After: %1").arg(tr(cardTitles[chosen_ - 1]));
     const QString behind =
-        chosen_ >= electronics ? tr("Counts") : tr("Behind: %1").arg(tr(cardTitles[chosen_]));
+        chosen_ >= electronics ? tr("Counts") : tr("After: %1").arg(tr(cardTitles[chosen_]));
     if (!pictures_) {
         for (PlanePane* pane : {before_, behind_})
-            pane->clear(task_.isBusy() ? tr("being worked out…") : QString());
+            pane->clear(task_.isBusy() ? tr("calculating…") : QString());
         return;
     }
     // All but the darkest and the brightest parts in 200: a point and bad pixels outshine the rest.
@@ -330,8 +334,9 @@ void SensorPage::showPictures() {
     };
     const auto captioned = [](const QString& title, const irsg::DisplayLimits& limits,
                               const QString& unit) {
-        return tr("%1, shown from %2 to %3 %4")
-            .arg(title, rounded(limits.low), rounded(limits.high), unit);
+        return tr("%1\n%2 to %3 %4")
+            .arg(title, rounded(limits.low), rounded(limits.high), unit)
+            .trimmed();
     };
     const int cells = scene_.samples;
     const int width = static_cast<int>(scene_.columns_px),
@@ -345,7 +350,7 @@ void SensorPage::showPictures() {
         const irsg::DisplayLimits counts = limitsOf(pictures_->counts);
         QString title = captioned(behind, counts, {});
         if (pictures_->saturated > 0)
-            title += tr("· %1 saturated pixels").arg(pictures_->saturated);
+            title += tr(" · %1 saturated pixels").arg(pictures_->saturated);
         behind_->setPlane(title, pictures_->counts, width, height, counts);
     } else {
         const auto& second = pictures_->radiance_W_m2_sr[chosen_ + 1];
@@ -374,18 +379,19 @@ QString SensorPage::numbersOf(std::size_t stage) const {
                          sensor.detector.integrationTime_s));
     case electronics:
         if (sensor.detector.isThermal())
-            return tr("Noise in NETD before 300 K: temporal %1 mK, with the pattern %2 mK; %3 "
+            return tr("Noise in NETD against 300 K: temporal %1 mK, with the pattern %2 mK; %3 "
                       "bits.")
                 .arg(rounded(1e3 * numbers.netd_K), rounded(1e3 * numbers.totalNetd_K))
                 .arg(sensor.electronics.bits);
-        return tr("Noise in electrons before 300 K: photons %1, dark current %2, read %3, "
+        return tr("Noise in electrons against 300 K: photons %1, dark current %2, read %3, "
                   "quantisation %4, pattern %5; %6 bits.")
             .arg(rounded(numbers.noise.photon), rounded(numbers.noise.dark),
                  rounded(numbers.noise.read), rounded(numbers.noise.quantisation),
                  rounded(numbers.noise.pattern))
             .arg(sensor.electronics.bits);
     default:
-        return tr("NETD %1 mK, NEI %2 W/m² of a whole point, both temporal, before 300 K; the well "
+        return tr("NETD %1 mK, NEI %2 W/m² for all of a point's energy, both temporal, against 300 "
+                  "K; the well "
                   "is %3 % full.")
             .arg(rounded(1e3 * numbers.netd_K), rounded(numbers.neiWholePoint_W_m2),
                  rounded(100.0 * numbers.wellFill));

@@ -29,7 +29,9 @@ QSize StageCard::sizeHint() const {
 }
 
 QSize StageCard::minimumSizeHint() const {
-    return {68, sizeHint().height()};
+    constexpr int margins_px = 11, least_px = 56;
+    return {std::max(least_px, fontMetrics().horizontalAdvance(text()) + margins_px),
+            sizeHint().height()};
 }
 
 void StageCard::paintEvent(QPaintEvent*) {

@@ -66,15 +66,16 @@ void TemperatureProfilePage::refresh() {
     QStringList problems;
     const auto asked = request();
     if (!asked)
-        problems << tr("Three numbers of metres, such as 0, 12000 and 100.");
+        problems << tr("Type three numbers in metres, such as 0, 12000 and 100.");
     else if (asked->min_m < 0.0)
-        problems << tr("The least altitude is at least 0 m: the ground.");
+        problems << tr("The lowest altitude must be at least 0 m, the ground.");
     else if (asked->max_m < asked->min_m)
-        problems << tr("The largest altitude is at least the least one.");
+        problems << tr("The highest altitude must not be below the lowest.");
     else if (!(asked->step_m > 0.0))
-        problems << tr("The step is above 0 m.");
+        problems << tr("The step must be above 0 m.");
     else if ((asked->max_m - asked->min_m) / asked->step_m >= maximumProfileRows)
-        problems << tr("At most %1 altitudes: a larger step.").arg(maximumProfileRows);
+        problems
+            << tr("There are at most %1 altitudes: choose a larger step.").arg(maximumProfileRows);
     setProblems(problems);
     if (!problems.isEmpty())
         return;

@@ -6,22 +6,16 @@
 #include <QLineEdit>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QSplitter>
 #include <QVBoxLayout>
 
 #include "gui/tools/RunFoot.h"
+#include "gui/widgets/FoldingSplitter.h"
 #include "gui/widgets/Sentences.h"
 #include "gui/workbench/UnsavedNote.h"
 #include "gui/workbench/Workbench.h"
 #include "irsg/core/Errors.h"
 
 namespace smat::gui {
-
-namespace {
-
-constexpr int usualWidth_px = 1260;
-
-} // namespace
 
 ToolPage::ToolPage(Workbench& workbench, Dialogs dialogs, const QString& title, QWidget* parent)
     : QWidget(parent), workbench_(workbench), dialogs_(std::move(dialogs)), title_(title) {
@@ -38,14 +32,9 @@ void ToolPage::layOut(QWidget* form, int width_px, const QString& whatCancelDoes
     foot_ = new RunFoot(whatCancelDoes, this);
     foot_->progress->setTextVisible(true);
     foot_->progress->setFormat(QString());
-    auto* columns = new QSplitter(Qt::Horizontal, this);
-    columns->addWidget(RunFoot::below(form, foot_, this));
-    columns->addWidget(right);
-    columns->setStretchFactor(1, 1);
-    columns->setSizes({width_px, usualWidth_px - width_px});
     auto* all = new QVBoxLayout(this);
     all->setContentsMargins(0, 0, 0, 0);
-    all->addWidget(columns);
+    all->addWidget(new FoldingSplitter(RunFoot::below(form, foot_, this), width_px, right, this));
     connect(foot_->run, &QPushButton::clicked, this, &ToolPage::run);
     connect(foot_->cancel, &QPushButton::clicked, this, &ToolPage::cancel);
     connect(&workbench_, &Workbench::projectOpened, this, [this] { reload(); });
@@ -87,7 +76,7 @@ void ToolPage::setProgress(int of1000, const QString& text) {
 void ToolPage::run() {
     if (isRunning())
         return;
-    const QString doing = workbench_.isRunning() ? tr("waiting in line") : tr("starting");
+    const QString doing = workbench_.isRunning() ? tr("queued") : tr("starting");
     try {
         number_ = start();
     } catch (const irsg::InputError& error) {

@@ -101,17 +101,16 @@ const ShownUnit* shownUnitOf(const std::string& stored, const DisplayUnits& unit
     return nullptr;
 }
 
-QString storedValueWithUnit(double value, const std::string& unit) {
-    return withFormattedUnits(formattedNumber(value) + " " + QString::fromStdString(unit))
-        .trimmed();
+QString storedValueWithUnit(double value, const std::string& unit, QString (*words)(double)) {
+    return withFormattedUnits(words(value) + " " + QString::fromStdString(unit)).trimmed();
 }
 
-QString valueWithUnit(double value, const std::string& unit) {
+QString valueWithUnit(double value, const std::string& unit, QString (*words)(double)) {
     const ShownUnit* shown = shownUnitOf(unit);
     const double other = shown == nullptr ? value : shown->shown(value);
     if (shown == nullptr || (std::isnan(other) && !std::isnan(value)))
-        return storedValueWithUnit(value, unit);
-    return formattedNumber(other) + " " + shown->unit;
+        return storedValueWithUnit(value, unit, words);
+    return words(other) + " " + shown->unit;
 }
 
 } // namespace smat::gui

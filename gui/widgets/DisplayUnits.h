@@ -6,6 +6,8 @@
 #include <QObject>
 #include <QString>
 
+#include "gui/widgets/NumberFormat.h"
+
 namespace smat::gui {
 
 /// The units that plots, images and read-outs are shown in: a preference of the person in front of
@@ -56,9 +58,11 @@ const ShownUnit* shownUnitOf(const std::string& stored,
                              const DisplayUnits& units = DisplayUnits::current());
 
 /// "1.25 °C" of a value in a unit of results; in its own where it has none in the other, such as no
-/// decibels.
-QString valueWithUnit(double value, const std::string& unit);
+/// decibels. `words` makes the text of the number.
+QString valueWithUnit(double value, const std::string& unit,
+                      QString (*words)(double) = formattedNumber);
 /// The same of a difference, a spread or an error, which stays in its own unit.
-QString storedValueWithUnit(double value, const std::string& unit);
+QString storedValueWithUnit(double value, const std::string& unit,
+                            QString (*words)(double) = formattedNumber);
 
 } // namespace smat::gui

@@ -85,6 +85,22 @@ void FlowBar::resizeEvent(QResizeEvent* event) {
     arrange();
 }
 
+void FlowBar::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    // What became narrower while it was hidden has been placed with the old height.
+    QMetaObject::invokeMethod(
+        this,
+        [this] {
+            both_->invalidate();
+            arrange();
+            if (QLayout* around = parentWidget() != nullptr ? parentWidget()->layout() : nullptr) {
+                around->invalidate();
+                around->activate();
+            }
+        },
+        Qt::QueuedConnection);
+}
+
 void FlowBar::arrange() {
     const QMargins around = both_->contentsMargins();
     const int needed = first_->sizeHint().width() + second_->sizeHint().width() +

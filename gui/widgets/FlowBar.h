@@ -38,6 +38,7 @@ class FlowBar : public QWidget {
   protected:
     bool event(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
   private:
     void arrange();

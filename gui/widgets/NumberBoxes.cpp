@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 
 #include "gui/widgets/NumberText.h"
 #include "gui/widgets/RefusedText.h"
@@ -81,6 +82,13 @@ template class TypedBox<QSpinBox>;
 RealBox::RealBox(const QString& name, const QString& unit, QWidget* parent)
     : TypedBox(name, unit, parent) {
     setSuffix((unit == QChar(0x00b0) ? QString() : QStringLiteral(" ")) + unit);
+}
+
+QString RealBox::textFromValue(double value) const {
+    QString text = QString::number(value, 'f', decimals());
+    if (text.contains('.'))
+        text.remove(QRegularExpression("\\.?0+$"));
+    return text == "-0" ? QStringLiteral("0") : text;
 }
 
 } // namespace smat::gui

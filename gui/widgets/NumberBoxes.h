@@ -35,6 +35,8 @@ class TypedBox : public Box {
 class RealBox : public TypedBox<QDoubleSpinBox> {
   public:
     RealBox(const QString& name, const QString& unit, QWidget* parent = nullptr);
+    /// Without zeros behind the last digit that counts: "5", "0.25".
+    QString textFromValue(double value) const override;
 };
 
 /// A whole number; a suffix may be words.

@@ -37,6 +37,16 @@ QString formattedNumber(double value) {
     return std::isfinite(value) ? QString::number(value, 'g', 6) : QStringLiteral("no value");
 }
 
+QString sentenceNumber(double value, int digits) {
+    if (!std::isfinite(value))
+        return formattedNumber(value);
+    const double rounded = QString::number(value, 'g', digits).toDouble();
+    const double size = std::abs(rounded);
+    return size != 0.0 && (size < 1e-4 || size >= 1e7)
+               ? QString::number(rounded, 'g', digits)
+               : QString::number(rounded, 'g', std::max(digits, 7));
+}
+
 QString exactNumber(double value) {
     return std::isfinite(value) ? QString::fromStdString(irsg::numberText(value)) : QString();
 }

@@ -12,6 +12,7 @@
 
 #include "gui/atmosphere/AtmospherePlots.h"
 #include "gui/atmosphere/AtmosphereRecovery.h"
+#include "gui/atmosphere/ParameterForm.h"
 #include "gui/widgets/Theme.h"
 #include "irsg/core/Errors.h"
 #include "tests/gui/AtmosphereFixture.h"
@@ -81,7 +82,9 @@ TEST_F(AtmospherePageTest, EveryParameterIsChangedSavedReopenedAndUndone) {
         ASSERT_NE(usual, other);
         give(name, other);
         EXPECT_EQ(valueText(*parameter, page->document().parameters()), other);
-        EXPECT_EQ(steps().undoText().toStdString(), "Set " + name);
+        EXPECT_EQ(steps().undoText(), "Set " + labelOf(*parameter));
+        EXPECT_NE(labelOf(*parameter).toStdString(), "");
+        EXPECT_TRUE(helpText(*parameter).contains(QString::fromStdString(name)));
         saveAs("one.xml");
         ASSERT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
         QUndoStack stack;
@@ -234,7 +237,7 @@ TEST_F(AtmospherePageTest, HelpIsThatOfTheFieldAndWhatDiffersIsBold) {
     EXPECT_TRUE(page->findChild<QLabel*>("parameterHelp")->text().contains("sea surface"));
     const auto isBold = [&] {
         for (const auto* label : page->findChildren<QLabel*>()) {
-            if (label->text() == "GroundTemperature") {
+            if (label->text() == "Ground temperature") {
                 return label->font().bold();
             }
         }

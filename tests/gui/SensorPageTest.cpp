@@ -75,12 +75,12 @@ TEST_F(SensorPageTest, ShowsTheSceneBeforeAndBehindTheStageThatIsChosen) {
                 irsg::bandRadiance_W_m2_sr(sensor().band(), 300.0), 1e-4);
     test::keepScreenshot(*window, "sensor-chain");
     find<StageCard>("stageDetector")->click();
-    EXPECT_TRUE(find<PlanePane>("before")->title().startsWith("Behind: Optics"));
+    EXPECT_TRUE(find<PlanePane>("before")->title().startsWith("After: Optics"));
     EXPECT_EQ(find<PlanePane>("behind")->plane().at(40, 40),
               page->pictures()->radiance_W_m2_sr[2][40 * 256 + 40]);
     test::keepScreenshot(*window, "sensor-detector");
     find<StageCard>("stageElectronics")->click();
-    EXPECT_TRUE(find<PlanePane>("before")->title().startsWith("Behind: Motion"));
+    EXPECT_TRUE(find<PlanePane>("before")->title().startsWith("After: Motion"));
     EXPECT_TRUE(find<QLabel>("stageNumbers")->text().contains("photons"));
     test::keepScreenshot(*window, "sensor-electronics");
 }

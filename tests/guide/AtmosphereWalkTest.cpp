@@ -169,8 +169,9 @@ TEST_F(AtmosphereWalkTest, AirOfYourOwn) {
     write(get<QLineEdit>("WindSpeed", air), "9"); // a maritime aerosol alone asks for it
     EXPECT_TRUE(get<QLabel>("airRemarks", air)->text().contains("WindSpeed"));
 
-    walk.step("Text typed in one go is one step of Edit → Undo. Save air (also Ctrl+S, while the "
-              "page is shown) writes the file");
+    walk.step(
+        "Text typed in one go is one step of Edit → Undo. Save atmosphere (also Ctrl+S, while the "
+        "page is shown) writes the file");
     EXPECT_EQ(workbench.undoStack().index(), steps + 4);
     while (workbench.undoStack().index() > steps + 1) {
         act("undo");
@@ -285,7 +286,7 @@ TEST_F(AtmosphereWalkTest, ResultsOfModtranAndTemperatureProfile) {
     {
         test::GuideWalk walk("air", "Results of MODTRAN");
         walk.step(
-            "Tools → Import results of MODTRAN… reads runs of MODTRAN as they are added with Add "
+            "Tools → Import MODTRAN results… reads runs of MODTRAN as they are added with Add "
             "a file… or Add a folder… and shows errors beside each.");
         irsg::SyntheticRun run;
         for (const char* name : {"RUN1", "RUN2"}) {
