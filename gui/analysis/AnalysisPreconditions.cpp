@@ -25,11 +25,11 @@ QString missingPreconditions(Workbench& workbench) {
             (i == workbench.chosenModel() && workbench.database().isOpen()))
             continue;
         if (models.size() == 1)
-            return Missing::tr(
-                "The model has no signature database: make or open one in the dock Signature "
-                "database.");
+            return Missing::tr("The model has no signature database: File → First signature from "
+                               "names… makes one, or open one in the panel Signature database.");
         return Missing::tr("The model %1 has no signature database: choose the model in the "
-                           "scene, then make or open one in the dock Signature database.")
+                           "scene; File → First signature from names… then makes one, or open "
+                           "one in the panel Signature database.")
             .arg(QString::fromStdString(models[i].shownName()));
     }
     return {};

@@ -143,7 +143,7 @@ void FirstSignatureDialog::fill(const irsg::ModelNames& names) {
         widgets.material->setCurrentIndex(widgets.material->findData(surface.libraryMaterial));
         widgets.temperature = new QComboBox;
         widgets.temperature->setObjectName("temperature." + number);
-        widgets.temperature->addItems({tr("as the air"), tr("warmer than the air by"),
+        widgets.temperature->addItems({tr("as the air"), tr("air plus"),
                                        tr("recovery temperature of the air"), tr("fixed at")});
         widgets.kelvin = new NumberField(tr("K"));
         widgets.kelvin->setObjectName("kelvin." + number);

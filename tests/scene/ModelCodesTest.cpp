@@ -344,6 +344,7 @@ const PartOfAircraft partsOfAircraft[] = {
     {"Fuselage", "nozzle_R", "Material.002", "nozzle_R", "nozzle"},
     {"Fuselage", "canopy", "Glass", "Glass", "glass"},
     {"Fuselage", "canopy frame", "Material.001", "canopy frame", "canopy"},
+    {"Fuselage", "left_air_brake", "Material.001", "left_air_brake", "airbrake"},
     {"Gear", "NoseWheel", "black", "NoseWheel", "wheel"},
     {"Engine left", "cowling", "white paint", "Engine left", "engine"},
     {"Engine left", "exhaust pipe", "steel", "exhaust pipe", "exhaust"},

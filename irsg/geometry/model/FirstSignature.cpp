@@ -43,6 +43,8 @@ constexpr Word words[] = {
     {"muffler", "rusted steel", warmer(250.0)},
     {"funnel", "grey aircraft paint, matt", warmer(60.0)},
     {"stack", "grey aircraft paint, matt", warmer(60.0)},
+    {"airbrake", "grey aircraft paint, matt", recovery},
+    {"speedbrake", "grey aircraft paint, matt", recovery},
     {"brake", "rusted steel", warmer(80.0)},
     {"engine", "weathered bare aluminium", warmer(40.0)},
     {"canopy", "acrylic canopy, 8 mm", recovery},
@@ -117,7 +119,8 @@ int libraryIndex(const char* name) {
     throw LogicError("the library of materials has no " + std::string(name));
 }
 
-/// The words of a name in small letters: "LeftNozzle_02" is "left", "nozzle".
+/// The words of a name in small letters, and neighbours as one: "LeftNozzle_02" is "left",
+/// "nozzle", "leftnozzle"; "air_brake" is no brake.
 std::vector<std::string> wordsOf(const std::string& name) {
     std::vector<std::string> found(1);
     char before = ' ';
@@ -131,6 +134,8 @@ std::vector<std::string> wordsOf(const std::string& name) {
             found.back() += static_cast<char>(std::tolower(byte));
         before = letter;
     }
+    for (std::size_t i = 1, count = found.size(); i < count; ++i)
+        found.push_back(found[i - 1] + found[i]);
     return found;
 }
 
