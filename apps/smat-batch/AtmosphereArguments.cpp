@@ -8,7 +8,7 @@ AtmosphereArguments::AtmosphereArguments(CLI::App& command) {
     command
         .add_option("ATMOSPHERE", inputs_,
                     "Atmosphere or Environment file, or none; of several the first that has the "
-                    "asked quantity in the band answers")
+                    "quantity over the band is used")
         ->required()
         ->type_name("");
 }

@@ -28,7 +28,7 @@ class CostAccuracyCommand {
         command
             .add_option(configurationsOption, configurations_,
                         "all, or likely: each choice alone, then those that may be on the front by "
-                        "what these showed and a model of costs")
+                        "what these showed and a cost model")
             ->type_name("WHICH");
         addDryRun(command, countsOnly_);
         numbers_.add(repeatsOption, "N", "Each time is the least of so many cases, 2 by default");
@@ -72,7 +72,7 @@ class CostAccuracyCommand {
             files_.checkWritable();
             for (const std::string& warning : data.warnings)
                 warn(warning);
-            fmt::print("cost-accuracy: {}, where drawing is done in software\n", words);
+            fmt::print("cost-accuracy: {}, with rendering in software\n", words);
             return done;
         }
         logInfo("cost-accuracy: " + words);

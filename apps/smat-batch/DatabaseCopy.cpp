@@ -130,7 +130,7 @@ void addDatabaseCopy(CLI::App& database, Context& context) {
         ->take_all();
     command->add_flag("--renumber", options->renumber,
                       "Give the next free index to what has its place taken");
-    command->add_flag("--replace", options->replace, "Replace what is there");
+    command->add_flag("--replace", options->replace, "Replace existing entries");
     command->callback([&context, options] {
         context.work = [&context, options] { return copy(*options, context); };
     });

@@ -113,9 +113,10 @@ class DetectionCommand {
         numbers_.add("--looks", "",
                      "Ranges per decade at which the ratio is looked at where it may cross the "
                      "threshold, 4; more find crossings that lie closer");
-        numbers_.add("--background-temperature", "K",
-                     "Of the background whose photons make noise; when not given that of the "
-                     "scene behind the target");
+        numbers_.add(
+            "--background-temperature", "K",
+            "Temperature of the background whose photons cause noise; when not given that of the "
+            "scene behind the target");
         command
             .add_option("--point", place_,
                         "Where the image of the target lies on a pixel: centre, mean or corner")

@@ -44,7 +44,7 @@ class GasCommand {
                      "Of a black body behind the layers; none when not given");
         several(command.add_option("--atmosphere", atmosphere_,
                                    "Atmosphere or Environment file between gas and sensor; of "
-                                   "several the first that has the band answers"),
+                                   "several the first that covers the band is used"),
                 "FILE");
         numbers_.add("--altitude", "m", "Of the gas, with --atmosphere");
         numbers_.add("--range", "m", "From sensor to gas, with --atmosphere");

@@ -13,8 +13,8 @@ class TemperatureProfileCommand {
   public:
     explicit TemperatureProfileCommand(CLI::App& command)
         : air_(command), numbers_(command), files_(command) {
-        numbers_.add("--min", "m", "The least altitude");
-        numbers_.add("--max", "m", "The largest altitude");
+        numbers_.add("--min", "m", "The lowest altitude");
+        numbers_.add("--max", "m", "The highest altitude");
         numbers_.add("--step", "m", "From one altitude to the next");
     }
 

@@ -135,7 +135,7 @@ void JobBar::refresh() {
         times += tr(", about %1 left").arg(durationText(std::ceil(left_s)));
     }
     times_->setText(times);
-    what_->setText(job.isCancelled() ? tr("Cancelling; what is done is kept") : case_);
+    what_->setText(job.isCancelled() ? tr("Cancelling; finished cases are kept") : case_);
     what_->setVisible(!what_->text().isEmpty());
 }
 

@@ -63,7 +63,7 @@ void ResultStore::openProject(const std::filesystem::path& projectFile, const st
             const ResultFolder folder(projectFile, name);
             const auto stems = folder.documents();
             if (!name.empty() && stems.empty())
-                read->sentences << tr("The results of this project are not there any more: %1 was "
+                read->sentences << tr("The results of this project are missing: %1 was "
                                       "moved or deleted.")
                                        .arg(QString::fromStdString(folder.path().string()));
             for (const auto& stem : stems) {

@@ -155,7 +155,7 @@ void ResultsDock::makeActions() {
     add("annotateResult", "", tr("Notes…"), tr("Note to keep with the result"),
         QKeySequence(Qt::SHIFT | Qt::Key_F2), &ResultsDock::annotate);
     add("showCommandLine", "terminal", tr("Show command line…"),
-        tr("The command line that makes this result, and all that is known of it"),
+        tr("The command line that makes this result, and its provenance"),
         QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_I), &ResultsDock::showDetails);
     line();
     add("openResult", "open", tr("Open saved result…"),

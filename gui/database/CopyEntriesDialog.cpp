@@ -34,7 +34,7 @@ CopyEntriesDialog::CopyEntriesDialog(const EditorContext& context, irsg::Signatu
     search_->setClearButtonEnabled(true);
     list_ = new QTreeWidget(this);
     list_->setObjectName("copyList");
-    list_->setHeaderLabels({tr("There"), tr("Name"), tr("Here as"), tr("Where that is taken")});
+    list_->setHeaderLabels({tr("There"), tr("Name"), tr("Here as"), tr("If its index is taken")});
     list_->setAlternatingRowColors(true);
     list_->setUniformRowHeights(false);
     list_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
@@ -134,7 +134,7 @@ void CopyEntriesDialog::addItem(QTreeWidgetItem* group, const EntryKey& key, con
     auto* clash = new QComboBox(list_);
     clash->setObjectName("clash");
     clash->addItem(byName ? tr("take a free name") : tr("take the next free index"));
-    clash->addItem(tr("replace what is there"));
+    clash->addItem(tr("replace the existing entry"));
     clash->setVisible(contains(here, key));
     connect(clash, &QComboBox::currentIndexChanged, this, &CopyEntriesDialog::validate);
     list_->setItemWidget(item, clashColumn, clash);

@@ -70,7 +70,7 @@ FactorsPanel::FactorsPanel(EditorContext& context, QWidget* parent)
     nodes_ = new NodeEditor(this);
     loop_ = new QCheckBox(tr("Loop"), this);
     loop_->setObjectName("loop");
-    loop_->setToolTip(tr("The table repeats: the period is its last time less its first"));
+    loop_->setToolTip(tr("The table repeats: the period is its last time minus its first"));
     auto* import = new QToolButton(this);
     import->setObjectName("importFactors");
     import->setIcon(icon("import"));

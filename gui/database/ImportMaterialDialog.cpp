@@ -23,8 +23,8 @@ ImportMaterialDialog::ImportMaterialDialog(const EditorContext& context,
         QString::number(index ? *index : freeIndex(context.session().value(), EntryKind::material)),
         this);
     indexField_->setObjectName("materialIndex");
-    indexField_->setToolTip(tr("Of the entry that gets the spectra: a new one, or one that is "
-                               "there and keeps its N angle factor and its notes"));
+    indexField_->setToolTip(tr("Of the entry that gets the spectra: a new one, or an existing one, "
+                               "which keeps its N angle factor and its notes"));
     name_ = new QLineEdit(this);
     name_->setObjectName("materialName");
     connect(indexField_, &QLineEdit::textChanged, this, &ImportMaterialDialog::read);

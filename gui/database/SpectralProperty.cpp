@@ -90,8 +90,8 @@ void SpectralProperty::setValue(const irsg::Spectrum& value, const irsg::Spectru
     form_->setCurrentIndex(grey ? greyForm : spectralForm);
     grey_->setVisible(grey);
     grey_->setRange(0.0, 1.0 - other_.maximum());
-    grey_->setToolTip(
-        tr("From 0 to %1, which the other property leaves").arg(textOf(1.0 - other_.maximum())));
+    grey_->setToolTip(tr("From 0 to %1, so that the sum with the other property is at most 1")
+                          .arg(textOf(1.0 - other_.maximum())));
     if (!same) {
         const bool emission = which_ == Which::emissivity;
         NodeRules rules;

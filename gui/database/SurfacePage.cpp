@@ -34,17 +34,19 @@ const ModelWords modelWords[] = {
     {"", QT_TRANSLATE_NOOP("SurfacePage", "Lambertian: alike in all directions"), ""},
     {"ggx", QT_TRANSLATE_NOOP("SurfacePage", "Facets (GGX)"),
      QT_TRANSLATE_NOOP("SurfacePage", "The emissivity of the first page is that along the normal, "
-                                      "unless n and k say it.")},
+                                      "unless n and k give it.")},
     {"beckmann", QT_TRANSLATE_NOOP("SurfacePage", "Facets (Beckmann)"),
      QT_TRANSLATE_NOOP("SurfacePage", "The emissivity of the first page is that along the normal, "
-                                      "unless n and k say it.")},
+                                      "unless n and k give it.")},
     {"sandfordRobertson", QT_TRANSLATE_NOOP("SurfacePage", "Sandford and Robertson: paints"),
-     QT_TRANSLATE_NOOP("SurfacePage", "The emissivity of the first page is the hemispherical.")},
+     QT_TRANSLATE_NOOP("SurfacePage", "The emissivity of the first page is hemispherical.")},
     {"shellTarget", QT_TRANSLATE_NOOP("SurfacePage", "Shell target"),
      QT_TRANSLATE_NOOP("SurfacePage", "Emissivity follows from n and k, diffuse and volume "
                                       "reflectivity.")},
-    {"tabulated", QT_TRANSLATE_NOOP("SurfacePage", "As a table was measured"),
-     QT_TRANSLATE_NOOP("SurfacePage", "Emissivity is what the table leaves.")}};
+    {"tabulated", QT_TRANSLATE_NOOP("SurfacePage", "Measured table"),
+     QT_TRANSLATE_NOOP(
+         "SurfacePage",
+         "Emissivity is 1 minus the reflectance of the table and the transmissivity.")}};
 
 QString labelOf(const std::string& name) {
     for (const ModelWords& words : modelWords)
@@ -70,7 +72,7 @@ QString lackOf(const irsg::InputError& error) {
     const std::string& key = error.diagnostics().front().position;
     if (key == "refractiveIndex")
         return SurfacePage::tr("Shell's model needs a refractive index n above 0 at every "
-                               "wavelength, and k of what absorbs. Type them above, or import "
+                               "wavelength, and k where it absorbs. Type them above, or import "
                                "them.");
     if (key == "reflectanceTable")
         return SurfacePage::tr("There is no table yet. Import one, or start from the emissivity.");

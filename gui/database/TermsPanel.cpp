@@ -56,7 +56,7 @@ TermsPanel::TermsPanel(QWidget* parent)
     nodes_ = new NodeEditor(this);
     loop_ = new QCheckBox(tr("Loop"), this);
     loop_->setObjectName("loop");
-    loop_->setToolTip(tr("The table repeats: the period is its last time less its first"));
+    loop_->setToolTip(tr("The table repeats: the period is its last time minus its first"));
     nodes_->addToBar(loop_);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 8, 0, 0);

@@ -98,7 +98,7 @@ void ColorBar::makeScaleBox() {
     }
     colorScale_->setToolTip(
         tr("How colours follow values: Square root and Logarithmic show what is dim beside what "
-           "glows, Equalized gives every colour to as many of the values; Automatic is linear "
+           "glows, Equalized gives every colour the same number of pixels; Automatic is linear "
            "where that shows the object, else square root or logarithmic"));
 }
 

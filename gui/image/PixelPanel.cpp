@@ -245,8 +245,8 @@ void PixelPanel::show(const ExplainedPixel& pixel) {
     copy_->setEnabled(true);
     QStringList remarks;
     if (!pixel.computed.isInterior && pixel.computed.samples > 0)
-        remarks << tr("Where edges cross the pixel, rays and the drawing may find a sample on "
-                      "either side of one.");
+        remarks << tr("Where edges cross the pixel, a ray and the rendered sample may be on "
+                      "different sides of an edge.");
     for (const std::string& remark : pixel.computed.remarks)
         remarks << QString::fromStdString(remark);
     words_->setText(remarks.join('\n'));

@@ -33,12 +33,12 @@ ThresholdForm::ThresholdForm(QWidget* parent) : QWidget(parent) {
     const QString titles[] = {tr("Failure"), tr("Warning")};
     for (int c = 0; c < 2; ++c)
         grid->addWidget(new QLabel("<b>" + titles[c] + "</b>", this), 0, c + 1);
-    const QString tips[] = {
-        tr("A pixel is over the threshold where |A − B| is larger than this"),
-        tr("… and |A − B| / ½(|A| + |B|) is larger than this, 0 to 2"),
-        tr("Allowed fraction of pixels over the threshold, in percent"),
-        tr("One pixel with a larger |A − B| decides, whatever is allowed; empty for none"),
-        tr("Allowed number of pixels over the threshold")};
+    const QString tips[] = {tr("A pixel is over the threshold where |A − B| is larger than this"),
+                            tr("… and |A − B| / ½(|A| + |B|) is larger than this, 0 to 2"),
+                            tr("Allowed fraction of pixels over the threshold, in percent"),
+                            tr("A single pixel with a larger |A − B| is a failure, whatever "
+                               "fraction is allowed; empty: no limit"),
+                            tr("Allowed number of pixels over the threshold")};
     for (std::size_t r = 0; r < rowCount; ++r) {
         names_[r] = new QLabel(this);
         names_[r]->setWordWrap(true);

@@ -128,7 +128,8 @@ QWidget* PaintDock::makePainting() {
     material_ = new IndexBox(part);
     material_->setObjectName("paintMaterial");
     for (auto* box : {temperature_, material_})
-        box->setToolTip(tr("An entry of the database, or a number; empty leaves what they have"));
+        box->setToolTip(
+            tr("An entry of the database, or a number; empty leaves their codes unchanged"));
     form->addRow(tr("Temperature"), temperature_);
     form->addRow(tr("Material"), material_);
     column->addLayout(form);

@@ -118,7 +118,7 @@ void EditPanel::makePart(QVBoxLayout* column) {
     trajectoryFile_ =
         textButton(tr("Trajectory file…"), "trajectoryFile", tr("Follow the rows of a file"));
     standStill_ = textButton(tr("Stand still"), "standStill",
-                             tr("Stay where the trajectory begins, without it"));
+                             tr("Remove the trajectory and stand still where it begins"));
     auto* motion = new QHBoxLayout;
     for (QToolButton* button : {newTrajectory_, trajectoryFile_, standStill_})
         motion->addWidget(button);
@@ -138,7 +138,8 @@ void EditPanel::makePart(QVBoxLayout* column) {
     table_ = new TrajectoryView(*rows_, ofTable_);
     hold_ = new QCheckBox(tr("Stays at its ends"), ofTable_);
     hold_->setObjectName("holdEnds");
-    hold_->setToolTip(tr("Before the first row and after the last one it is there, and not gone"));
+    hold_->setToolTip(
+        tr("It is present before the first row and after the last one, rather than absent"));
     follows_ = new QLabel(ofTable_);
     follows_->setObjectName("partTrajectory");
     follows_->setForegroundRole(QPalette::PlaceholderText);

@@ -69,7 +69,7 @@ FramesPanel::FramesPanel(Dialogs dialogs, QWidget* parent)
     quantity_ = new QComboBox(this);
     quantity_->setObjectName("framesQuantity");
     quantity_->setMinimumWidth(90);
-    quantity_->setToolTip(tr("Quantity that is drawn"));
+    quantity_->setToolTip(tr("Quantity to plot"));
     plot_ = new PlotPanel(PlotKind::cartesian, dialogs_, this);
     plot_->addInFront(quantity_);
     plot_->cartesian()->setMinimumHeight(leastPlot_px);
@@ -137,8 +137,9 @@ void FramesPanel::setOutcome(std::shared_ptr<const SimulationFrames> outcome,
                           .arg(outcome_->frames.size())
                           .arg(textOf(outcome_->order.folder))};
     if (missing > 0)
-        words << tr("%1 steps have no frame: the sensor or what it follows was not there")
-                     .arg(missing);
+        words
+            << tr("%1 steps have no frame: the sensor or the entity that it tracks was not present")
+                   .arg(missing);
     for (const std::string& note : outcome_->notes)
         words << textOf(note);
     say(words.join('\n'));

@@ -133,7 +133,7 @@ void RunScenarioDialog::refresh() {
         problem = tr("Choose at least one form of the frames.");
     run_->setEnabled(problem.isEmpty());
     command_->setText(isSaved_ ? textOf(commandLine())
-                               : tr("none before the scenario is saved as it is edited"));
+                               : tr("save the scenario first: the command reads its file"));
     problem_->setText(problem);
     problem_->setVisible(!problem.isEmpty());
 }

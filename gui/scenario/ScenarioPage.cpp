@@ -197,7 +197,7 @@ void ScenarioPage::connectJobs() {
         if (film_ == 0 || workbench_.jobs().holds(film_))
             return;
         if (!toldOfFilm_)
-            frames_->say(tr("There is no film: it was cancelled."));
+            frames_->say(tr("The film was cancelled; nothing was written."));
         film_ = 0;
         frames_->setFilming(false);
     };
@@ -264,9 +264,8 @@ void ScenarioPage::show(const ScenarioPicture& picture) {
             useDisplay(picture.settings);
         displayedSensor_ = picture.moment.sensor;
     } else {
-        notice_->setText(
-            tr("There is no picture at this time: the sensor, what carries it or what it follows "
-               "is not there."));
+        notice_->setText(tr("There is no image at this time: the sensor, its carrier or the entity "
+                            "that it tracks is not present."));
     }
     if (picture.moment.step == timeLine_->step())
         timeLine_->shown();

@@ -79,7 +79,7 @@ void TimeLine::makeParts() {
     count_->setObjectName("stepCount");
     speed_ = new QComboBox(this);
     speed_->setObjectName("speed");
-    speed_->addItem(tr("As the clock goes"), realTime);
+    speed_->addItem(tr("Real time"), realTime);
     speed_->addItem(tr("Every step"), everyStep);
     speed_->setToolTip(tr("How it plays: in real time, leaving out steps where pictures take "
                           "longer, or each step as soon as it is drawn"));

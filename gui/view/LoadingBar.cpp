@@ -18,7 +18,7 @@ LoadingBar::LoadingBar(QWidget* parent) : QWidget(parent), words_(new QLabel(thi
     busy->setRange(0, 0);
     busy->setTextVisible(false);
     busy->setFixedSize(110, 12);
-    auto* cancel = textButton(tr("Cancel"), "cancelLoading", tr("Leave the model unread"));
+    auto* cancel = textButton(tr("Cancel"), "cancelLoading", tr("Stop reading the model"));
     cancel->setAutoRaise(true);
     cancel->setIcon(icon("cancel"));
     cancel->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);

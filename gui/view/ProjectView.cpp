@@ -27,7 +27,7 @@ ProjectView::ProjectView(Workbench& workbench, Dialogs& dialogs, LoadingBar& loa
     auto* band = new BandBox(workbench_, page_);
     page_->addField(band);
     connect(band, &BandBox::refused, this, [this](const QStringList& sentences) {
-        dialogs_.tell(page_->window(), tr("This is no band"), sentences);
+        dialogs_.tell(page_->window(), tr("This is not a band"), sentences);
     });
     connect(view(), &SceneView::cameraMoved, this, [this](const OrbitCamera& camera) {
         if (workbench_.hasProject())

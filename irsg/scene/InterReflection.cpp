@@ -267,8 +267,8 @@ InterReflection::ofEachAlone(const std::vector<LightExchange::Body>& bodies,
 InterReflected InterReflection::of(const Scene& scene, const SceneEvaluation& evaluation,
                                    const std::vector<SunShadows::Caster>& casters) {
     InterReflected found;
-    found.exchange = clock_.timed("light between surfaces",
-                                  [&] { return exchangeOf(scene, evaluation, casters); });
+    found.exchange =
+        clock_.timed("inter-reflection", [&] { return exchangeOf(scene, evaluation, casters); });
     if (found.exchange->changesNothing())
         found.exchange = nullptr;
     EvaluatedScene& evaluated = *evaluation.evaluated;
@@ -285,7 +285,7 @@ InterReflection::lightOf(const std::shared_ptr<const LightExchange>& exchange,
                          const SceneRadiometry& radiometry, const RenderSettings& settings) {
     if (!exchange)
         return nullptr;
-    return clock_.timed("light between surfaces", [&] {
+    return clock_.timed("inter-reflection", [&] {
         return std::make_shared<SceneLight>(exchange, radiometry, occluderStacks_, settings,
                                             solutions_);
     });

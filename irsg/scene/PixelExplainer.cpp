@@ -151,7 +151,7 @@ PixelExplanation PixelExplainer::at(int x, int y) {
         result.remarks.push_back("'" + frame.request.entity(object.entity).name +
                                  "' is so small that all of it is in this pixel, as a point");
         if (frame.light())
-            result.remarks.push_back("the light between its surfaces is not explained");
+            result.remarks.push_back("its inter-reflection is not explained");
     }
 
     result.surfaces = terms.surfaces(frame.scene().entities);

@@ -127,7 +127,7 @@ SurfaceShading SurfaceShader::shade(const FrameRequest& request,
         if (hasShadows)
             shading.warnings.push_back("shadows of the sun are left out: " + whyNoRays());
         if (hasLight)
-            shading.warnings.push_back("light between surfaces is left out: " + whyNoRays());
+            shading.warnings.push_back("inter-reflection is left out: " + whyNoRays());
         return shading;
     }
     std::vector<SunShadows::Caster> all = casters(scene, evaluation);

@@ -395,7 +395,7 @@ class Project:
         nearest_m, farthest_m : float, optional
             Where the range is sought, m: 100 and 1e6.
         background_temperature_K : float, optional
-            Of the background whose photons make noise; without, that of the scene.
+            Temperature of the background whose photons cause noise; without, that of the scene.
         settings, progress, **options
             As those of polar() or table(), which place the cases.
 

@@ -388,9 +388,8 @@ void CostAccuracyStudy::run(AnalysisData& data, const RenderDoor& door, const Sc
     }
     if (found.size() == order.size() && order.size() < configurations.size())
         data.providedBy.push_back(fmt::format(
-            "configurations: {} of {}, each choice alone and those that may be on the front; a "
-            "model "
-            "of costs has one that is cheaper and has half the error for each of the others",
+            "configurations: {} of {}, each choice alone and those that may be on the front; for "
+            "each of the others, a cheaper one with half the error is predicted",
             order.size(), configurations.size()));
     sortAndMark(found);
     constexpr double usual_percent = 1.0;

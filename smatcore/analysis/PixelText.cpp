@@ -91,8 +91,8 @@ std::string pixelText(const ExplainedPixel& pixel) {
     text += fmt::format("  {:<34} {:>16}\n", "3 x 3 pixels hit the same facet",
                         of.isInterior ? "yes" : "no");
     if (!of.isInterior && of.samples > 0)
-        text += "  Where edges cross the pixel, rays and the drawing may find a sample on either "
-                "side of one.\n";
+        text += "  Where edges cross the pixel, a ray and the rendered sample may be on different "
+                "sides of an edge.\n";
     if (of.layersLeftOver > 0)
         text += fmt::format("  {:<34} {:>16}\n", "rays with layers left out", of.layersLeftOver);
     for (const std::string& remark : of.remarks)

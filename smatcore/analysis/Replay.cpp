@@ -91,7 +91,7 @@ std::vector<std::string> mismatchesOf(const AnalysisData& a, const AnalysisData&
     if (!a.image.empty()) {
         for (const irsg::ImageChannel& channel : a.image.channels)
             if (b.image.find(channel.name) == nullptr)
-                found.push_back("channel " + channel.name + " is not there any more");
+                found.push_back("channel " + channel.name + " is missing now");
         return found;
     }
     if (a.table.rowCount() != b.table.rowCount())
@@ -99,7 +99,7 @@ std::vector<std::string> mismatchesOf(const AnalysisData& a, const AnalysisData&
             fmt::format("{} rows then, {} now", a.table.rowCount(), b.table.rowCount()));
     for (const ResultColumn& column : a.table.columns())
         if (b.table.find(column.key) == nullptr)
-            found.push_back("column " + column.key + " is not there any more");
+            found.push_back("column " + column.key + " is missing now");
     for (const ResultColumn& column : b.table.columns())
         if (a.table.find(column.key) == nullptr)
             found.push_back("column " + column.key + " is new");

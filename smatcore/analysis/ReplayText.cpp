@@ -85,7 +85,7 @@ std::string replayText(const Replay& replay, const std::string& file) {
     for (const ReplayedDifference& difference : replay.differences)
         text += differenceLine(difference);
     if (replay.causes.empty())
-        return text + "No cause is known: nothing that the result tells of has changed.\n";
+        return text + "No cause is known: none of the recorded inputs has changed.\n";
     text += "By cause:\n";
     for (const ReplayedCause& cause : replay.causes)
         text += causeText(cause);

@@ -368,10 +368,11 @@ TargetChoice chooseForTarget(ProbedViews& views, double target, const TargetUse&
     }
     choice.reached = *expected.measured(choice.configuration) + choice.skipped;
     const std::string prefix = "target error " + percent(target) + ": ";
-    choice.sentences.push_back(prefix + choice.configuration.words(scene) +
-                               (choice.isMet ? ", the cheapest with errors of at most "
-                                             : "; no way meets it, this one has errors of up to ") +
-                               percent(choice.reached) + " " + lookedAt(views));
+    choice.sentences.push_back(
+        prefix + choice.configuration.words(scene) +
+        (choice.isMet ? ", the cheapest with errors of at most "
+                      : "; no configuration meets it, this one has errors of up to ") +
+        percent(choice.reached) + " " + lookedAt(views));
     for (const std::string& sentence : lightSentences)
         choice.sentences.push_back(prefix + sentence);
     return choice;

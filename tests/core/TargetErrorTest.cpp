@@ -170,7 +170,7 @@ TEST(TargetChoice, SaysWhereNoConfigurationMeetsIt) {
     const TargetChoice choice = chosen(source, 1e-4);
     EXPECT_FALSE(choice.isMet);
     EXPECT_EQ(choice.configuration.render.tileSide_samples, 2048);
-    EXPECT_THAT(choice.sentences, Contains(HasSubstr("no way meets it")));
+    EXPECT_THAT(choice.sentences, Contains(HasSubstr("no configuration meets it")));
     EXPECT_THAT(choice.sentences.front(), HasSubstr("0.031 %"));
 }
 

@@ -82,7 +82,23 @@ TEST(Words, AnEngineerSaysIt) {
                             "\"below %1",
                             "Unsaved air",
                             "its tab has a dot",
-                            "\"Stbd\""}) {
+                            "\"Stbd\"",
+                            "all that is known of it",
+                            "\\bdock\\b",
+                            "(same|[Ii]mported|[Tt]ables of) air\\b",
+                            "[Ww]aiting in line",
+                            "[Tt]his is no\\b",
+                            "not asked for",
+                            "looked for",
+                            "being worked out",
+                            "(what is there\\b|not there any more)",
+                            "follows? in a moment",
+                            "the clock goes",
+                            "\\bit was calculated",
+                            "(table leaves|other property leaves)",
+                            "what they have\\b",
+                            "whole light",
+                            "Draws at most"}) {
         expectNowhere("\"[^\"\n]*" + std::string(odd) + "[^\"\n]*\"?", "odd words");
     }
 }

@@ -131,7 +131,7 @@ TEST_F(ScenariosWalkTest, SeePlayAndKeepIt) {
     EXPECT_EQ(line.time_s(), 2.5);
     press(Qt::Key_Home);
     EXPECT_EQ(line.step(), 0U);
-    walk.step("play it | Space; As the clock goes skips steps if rendering takes longer, Every "
+    walk.step("play it | Space; Real time skips steps if rendering takes longer, Every "
               "step shows each");
     choose(get<QComboBox>("speed", shown), 1);
     EXPECT_EQ(get<QComboBox>("speed", shown)->currentText(), "Every step");
