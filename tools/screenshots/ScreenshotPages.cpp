@@ -20,6 +20,7 @@
 #include "gui/plot/CartesianPlot.h"
 #include "gui/plot/PolarPlot.h"
 #include "gui/tools/AtmosphereToolPage.h"
+#include "gui/tools/DetectionPage.h"
 #include "gui/tools/MonteCarloPage.h"
 #include "smatcore/settings/SettingKeys.h"
 #include "tools/screenshots/ScreenshotTaker.h"
@@ -29,6 +30,8 @@ namespace {
 
 /// Enough draws for bands and a ranking to look at, in some seconds.
 constexpr int draws = 256, rankedPairs = 64, drawingsOfACase = 1;
+/// Of a rose of the patrol aircraft, in a minute.
+constexpr double aspectStep_deg = 30.0;
 
 template <typename Widget>
 Widget* shown(QWidget& within, const char* name) {
@@ -56,6 +59,12 @@ void ScreenshotTaker::fill(QWidget* page) {
         page->findChild<QSpinBox*>("subpixelShifts")->setValue(drawingsOfACase);
         monteCarlo->run();
         waitWhile([monteCarlo] { return monteCarlo->isRunning(); });
+    }
+    if (auto* detection = dynamic_cast<DetectionPage*>(page)) {
+        keepPage(current_ + "-empty");
+        page->findChild<QDoubleSpinBox*>("aspectStep")->setValue(aspectStep_deg);
+        detection->run();
+        waitWhile([detection] { return detection->isRunning(); });
     }
     if (current_ == "compareImages" && images_.size() == 2) {
         keepPage(current_ + "-empty");

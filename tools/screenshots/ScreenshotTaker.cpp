@@ -191,9 +191,9 @@ void ScreenshotTaker::raiseResults() {
 
 void ScreenshotTaker::keepPage(const QString& name) {
     // As one would look at what has fields, plots and tables beside each other.
-    static const QStringList wide = {"compareImages", "comparison",         "monteCarlo",
-                                     "radiative",     "temperatureProfile", "newAir",
-                                     "projectAir",    "frontier",           "new-table"};
+    static const QStringList wide = {"compareImages",      "comparison", "monteCarlo", "radiative",
+                                     "temperatureProfile", "newAir",     "projectAir", "frontier",
+                                     "new-table",          "detection",  "sensorChain"};
     const bool isWide = std::ranges::any_of(
         wide, [&name](const QString& beginning) { return name.startsWith(beginning); });
     auto* collapse = window_.findChild<QAction*>("collapseDocks");
