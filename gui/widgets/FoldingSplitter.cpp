@@ -37,8 +37,7 @@ QSize FoldingSplitter::minimumSizeHint() const {
 }
 
 void FoldingSplitter::resizeEvent(QResizeEvent* event) {
-    const int both_px =
-        leastOf(*widget(0)).width() + leastOf(*widget(1)).width() + handleWidth();
+    const int both_px = leastOf(*widget(0)).width() + leastOf(*widget(1)).width() + handleWidth();
     const auto wanted = width() >= both_px ? Qt::Horizontal : Qt::Vertical;
     if (wanted != orientation()) {
         if (wanted == Qt::Vertical && sizes().front() > 0)

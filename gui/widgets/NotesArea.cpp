@@ -33,10 +33,9 @@ void NotesArea::fit() {
     const auto* notes = qobject_cast<const QLabel*>(widget());
     if (notes == nullptr)
         return;
-    const int height =
-        notes->text().isEmpty()
-            ? 0
-            : std::min(notes->heightForWidth(viewport()->width()), most_px_);
+    const int height = notes->text().isEmpty()
+                           ? 0
+                           : std::min(notes->heightForWidth(viewport()->width()), most_px_);
     if (height != minimumHeight() || height != maximumHeight())
         setFixedHeight(height);
 }
