@@ -29,6 +29,11 @@ fs::path original(const TemporaryFolder& folder) {
             fs::copy(entry.path(), folder.path() / "there" / entry.path().filename());
         }
     }
+    // Its plumes as shells: the wideband mode does not take zones of gas.
+    for (const char* file : {"corvette.flt", "corvette.sigdb"}) {
+        fs::copy(fs::path(SMAT_SOURCE_DIR) / "tests/data/shells/corvette" / file,
+                 folder.path() / "there" / file, fs::copy_options::overwrite_existing);
+    }
     fs::copy(sample("../resources/atmospheres/temperate-maritime.xml"),
              folder.path() / "there/own-air.xml");
     return folder.path() / "there/corvette.smat";

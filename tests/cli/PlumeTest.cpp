@@ -9,6 +9,8 @@
 
 #include "irsg/gas/GasSpectrum.h"
 #include "irsg/radiometry/Units.h"
+#include "irsg/signature/SignatureFile.h"
+#include "irsg/signature/SurfaceTemperature.h"
 #include "smatcore/data/ResultTable.h"
 #include "tests/cli/PlainScene.h"
 #include "tests/cli/Program.h"
@@ -18,6 +20,7 @@ namespace smat::test {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 /// A jet whose gas thins out and cools down away from its axis and its nozzle.
 void writeJet(const std::filesystem::path& file) {
@@ -265,6 +268,68 @@ TEST_F(SmatBatchPlume, NamesEveryWrongOption) {
         EXPECT_THAT(ran.err, HasSubstr(named));
     }
 }
+
+/// A sample whose gas is that of a plume command: its zones' first index, and the air in which the
+/// temperatures of its database are those of the command.
+struct SamplePlume {
+    const char* sample;
+    std::vector<std::string> arguments;
+    int first;
+    double air_K;
+};
+void PrintTo(const SamplePlume& row, std::ostream* out) {
+    *out << row.sample;
+}
+
+class PlumeOfSample : public testing::TestWithParam<SamplePlume> {};
+
+TEST_P(PlumeOfSample, HasTheGasOfItsCommand) {
+    const SamplePlume& row = GetParam();
+    const TemporaryFolder folder;
+    std::vector<std::string> arguments{"plume"};
+    arguments.insert(arguments.end(), row.arguments.begin(), row.arguments.end());
+    arguments.insert(arguments.end(), {"--out", folder / "plume.obj"});
+    const Ran ran = smatBatch(arguments);
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    const auto plume = irsg::loadSignatureFile(folder / "plume.sigdb").database;
+    const std::string name = row.sample;
+    const auto database = irsg::loadSignatureFile(sample(name + "/" + name + ".sigdb")).database;
+    ASSERT_GT(plume.materials.size(), 3U);
+    irsg::EntityState state;
+    state.ambient_K = row.air_K;
+    state.power = 1.0;
+    for (const auto& [zone, gas] : plume.materials) {
+        const irsg::Material& own = database.materials.at(row.first + zone - 1);
+        EXPECT_NEAR(own.gasCO2, gas.gasCO2, 1e-5 * gas.gasCO2) << zone;
+        EXPECT_NEAR(own.gasH2O, gas.gasH2O, 1e-5 * gas.gasH2O) << zone;
+        EXPECT_NEAR(own.gasO2, gas.gasO2, 1e-5) << zone;
+        const auto at_K = [&](const irsg::SignatureDatabase& of, int index) {
+            return irsg::surfaceTemperature_K(of.temperatures.at(index).terms, state);
+        };
+        EXPECT_NEAR(at_K(database, row.first + zone - 1), at_K(plume, zone), 0.01) << zone;
+    }
+    // The zones are those of the model, and the next entry fills the nozzle.
+    const int next = row.first + static_cast<int>(plume.materials.size());
+    EXPECT_GT(database.materials.at(next).gasPressure_atm, 0.0);
+    EXPECT_FALSE(database.materials.contains(next + 1));
+}
+
+// Walls that cross would be counted wrongly there.
+TEST_P(PlumeOfSample, HasZonesThatAreClosedAndDoNotCross) {
+    const TemporaryFolder folder;
+    const std::string name = GetParam().sample;
+    const Ran ran = smatBatch({"image", sample(name + "/" + name + ".smat"), "--width", "32",
+                               "--height", "18", "--set", "render.bounces=0", "--set",
+                               "environment.terrain=", "--out", folder / "image.csv"});
+    EXPECT_EQ(ran.exitCode, 0) << ran.err;
+    EXPECT_THAT(ran.err, Not(HasSubstr("crosses")));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Samples, PlumeOfSample,
+    testing::Values(SamplePlume{
+        "corvette", {sample("corvette/funnel.csv"), "--bound", "0.15"}, 61, 286.0}),
+    [](const auto& row) { return std::string(row.param.sample); });
 
 } // namespace
 } // namespace smat::test

@@ -36,8 +36,12 @@ class Draw {
     std::mt19937 engine_;
 };
 
+/// With plumes as shells, which every mode of calculation takes.
 Entity sample(const std::string& name) {
-    const auto folder = std::filesystem::path(SMAT_SOURCE_DIR) / "samples" / name;
+    auto folder = std::filesystem::path(SMAT_SOURCE_DIR) / "tests/data/shells" / name;
+    if (!std::filesystem::exists(folder)) {
+        folder = std::filesystem::path(SMAT_SOURCE_DIR) / "samples" / name;
+    }
     static std::map<std::string, Entity> known;
     const auto found = known.find(name);
     if (found != known.end()) {

@@ -29,7 +29,10 @@ inline const FlightSurface deck{"deck", {4, 9}, false, shade(84)};
 inline const FlightSurface house{"house", {5, 1}, false, shade(150)};
 inline const FlightSurface roof{"roof", {6, 1}, false, shade(150)};
 inline const FlightSurface glass{"window", {7, 2}, false, shade(40)};
-inline const FlightSurface plume{"plume", {8, 5}, false, {200, 200, 200, 0.6}};
+/// Gas: temperature and material of the outermost zone; zones within and the gas in the funnels
+/// follow.
+inline constexpr std::int32_t firstGas = 61;
+inline constexpr Look gas{200, 200, 200, 0.8};
 inline const FlightSurface casing{"casing", {9, 1}, false, shade(140)};
 /// Between casing and top of a funnel, upwards; the upper half is sooted.
 inline const std::vector<FlightSurface> warmCasing = [] {

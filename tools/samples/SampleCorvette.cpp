@@ -6,7 +6,9 @@
 #include <numbers>
 #include <vector>
 
+#include "tools/samples/BentJet.h"
 #include "tools/samples/CorvetteParts.h"
+#include "tools/samples/GasZones.h"
 
 namespace smat::corvette {
 
@@ -235,22 +237,19 @@ void addFunnel(FlightWriter& writer, double side) {
     addQuad(writer, &uptake, floor);
 }
 
-/// Rises, widens and drifts aft; closed but for its foot in the funnel.
+/// The gas over a funnel, which the wind bends aft, and that in it.
 void addPlume(FlightWriter& writer, double side) {
-    const Curve radius{{0.0, 0.62}, {0.15, 0.95}, {0.6, 1.9}, {0.85, 1.7}, {1.0, 0.0}};
-    addPatch(
-        writer,
-        [&](double v, double u) {
-            const double up = std::sin(0.5 * pi * u);
-            const double wide =
-                up < 0.85
-                    ? radius(up)
-                    : 1.7 * std::sqrt(std::max(0.0, 1.0 - (up - 0.85) * (up - 0.85) / 0.0225));
-            const Vec3 middle{2.7 * side, -5.4 - 11.0 * up * up, 12.2 + 7.5 * up - 2.5 * up * up};
-            return middle + Vec3{wide * std::cos(v), 1.5 * wide * std::sin(v), 0.0} +
-                   Vec3{0.0, 0.0, 0.9 * up * wide * std::sin(v)};
-        },
-        edges(0.0, 2.0 * pi, pi / 12), edges(0.0, 1.0, 1.0 / 20), plume);
+    const BentJet jet = corvetteJet(side);
+    const BentJet::Flow flow = jet.flow();
+    addGasZones(writer, irsg::plumeZones(flow.table, corvetteZones), flow.axis, flow.across,
+                firstGas, gas, side);
+    constexpr double deep_m = 2.35, radius_m = 0.65;
+    constexpr std::int32_t index = firstGas + static_cast<std::int32_t>(corvetteZones);
+    addGasTube(writer, {{-deep_m, radius_m}, {-0.002, radius_m}},
+               [&](double along_m) {
+                   return AxisPlace{jet.place + jet.along * along_m, jet.along};
+               },
+               flow.across, {"inner", {index, index}, false, gas});
 }
 
 } // namespace
@@ -271,6 +270,20 @@ FlightWriter corvetteModel() {
         addPlume(writer, side);
     }
     return writer;
+}
+
+BentJet corvetteJet(double side) {
+    BentJet jet;
+    jet.nozzle.diameter_m = 1.3;
+    jet.nozzle.temperature_K = 547.0;
+    jet.nozzle.velocity_m_s = 18.0;
+    jet.nozzle.fuelAirRatio = 0.02;
+    jet.nozzle.air_K = 286.0;
+    jet.nozzle.endsAt = 0.15;
+    jet.place = {2.7 * side, -6.0, 12.2};
+    jet.along = {0.0, 0.0, 1.0};
+    jet.wind_m_s = {0.0, -4.0, 0.0};
+    return jet;
 }
 
 } // namespace smat

@@ -40,6 +40,9 @@ int main(int argc, char** argv) {
         const std::filesystem::path sea = folder / "samples/corvette";
         std::cout << "writes " << (sea / "sea.osgb").string() << std::endl;
         smat::writeSea(sea);
+        const std::filesystem::path funnel = sea / "funnel.csv";
+        std::cout << "writes " << funnel.string() << std::endl;
+        smat::savePlumeTable(smat::corvetteJet(1.0).flow().table, funnel);
         const std::filesystem::path helicopter = folder / "samples/helicopter/helicopter.gltf";
         std::cout << "writes " << helicopter.string() << std::endl;
         std::filesystem::create_directories(helicopter.parent_path());
