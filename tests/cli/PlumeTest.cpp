@@ -327,8 +327,15 @@ TEST_P(PlumeOfSample, HasZonesThatAreClosedAndDoNotCross) {
 
 INSTANTIATE_TEST_SUITE_P(
     Samples, PlumeOfSample,
-    testing::Values(SamplePlume{
-        "corvette", {sample("corvette/funnel.csv"), "--bound", "0.15"}, 61, 286.0}),
+    testing::Values(
+        SamplePlume{"corvette", {sample("corvette/funnel.csv"), "--bound", "0.15"}, 61, 286.0},
+        SamplePlume{"heron",
+                    {"--jet",
+                     "D_m=0.37,T_K=790,velocity_m_s=180,fuel_air=0.0185,air_K=286,coflow_m_s=102,"
+                     "ends_at=0.15",
+                     "--bound", "0.04"},
+                    71,
+                    286.0}),
     [](const auto& row) { return std::string(row.param.sample); });
 
 } // namespace

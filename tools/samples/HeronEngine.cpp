@@ -1,12 +1,17 @@
 // An engine of the sample aircraft: nacelle, intake, propeller, nozzle with an inside, plume.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
+#include "irsg/gas/PlumeTable.h"
+#include "irsg/gas/RoundJet.h"
+#include "tools/samples/GasZones.h"
 #include "tools/samples/HeronParts.h"
 #include "tools/samples/HeronSurfaces.h"
 #include "tools/samples/Patch.h"
+#include "tools/samples/SampleHeron.h"
 
 namespace smat::heron {
 namespace {
@@ -18,16 +23,24 @@ constexpr double pi = std::numbers::pi;
 constexpr double front_m = 5.35;
 constexpr double axis_m = 1.02;
 constexpr double length_m = 6.9;
-constexpr double nozzleRadius_m = 0.29;
+constexpr double nozzleRadius_m = 0.185, pipeRadius_m = 0.27;
 constexpr double nozzleDrop_m = -0.12; ///< of its axis below the nacelle's
 constexpr double pipeLength_m = 1.35;
 
 const Curve halfWidth{{0.0, 0.38}, {0.4, 0.47}, {1.3, 0.58}, {2.8, 0.62},
-                      {4.6, 0.56}, {6.0, 0.41}, {6.9, 0.335}};
+                      {4.6, 0.56}, {6.0, 0.38}, {6.9, 0.225}};
 const Curve top{{0.0, 0.38}, {0.4, 0.46}, {1.3, 0.56}, {2.8, 0.66},
-                {4.6, 0.60}, {6.0, 0.34}, {6.9, 0.215}};
+                {4.6, 0.60}, {6.0, 0.30}, {6.9, 0.105}};
 const Curve bottom{{0.0, -0.38}, {0.4, -0.50}, {1.3, -0.68}, {2.8, -0.80},
-                   {4.6, -0.72}, {6.0, -0.54}, {6.9, -0.455}};
+                   {4.6, -0.72}, {6.0, -0.50}, {6.9, -0.345}};
+
+/// Where the pipe ends, behind the front.
+constexpr double exit_m = length_m + 0.06;
+/// The radius of the pipe by the distance before its exit.
+double insideRadius_m(double before_m) {
+    static const Curve radius{{0.0, nozzleRadius_m}, {0.9, pipeRadius_m}};
+    return radius(before_m);
+}
 
 /// Where the cowls get warmer in steps, and where they do so again before the nozzle.
 constexpr double warmFrom_m = 2.4, warmTo_m = 4.8, hotFrom_m = 5.55, lipFrom_m = 6.45;
@@ -141,45 +154,40 @@ class Engine {
     }
 
     void addNozzle() {
-        const auto inwards = edges(0.0, 1.0, 0.125);
         // Lip, the wall of the pipe that one sees from behind, and the turbine at its end.
         addPatch(
             writer_,
             [&](double u, double v) {
                 const Vec3 outer = nacelle(length_m, v);
-                const Vec3 inner = at(length_m + 0.06, nozzleRadius_m * std::sin(v),
+                const Vec3 inner = at(exit_m, nozzleRadius_m * std::sin(v),
                                       nozzleDrop_m + nozzleRadius_m * std::cos(v));
                 return outer * (1.0 - u) + inner * u;
             },
             edges(0.0, 1.0, 0.5), edges(0.0, 2.0 * pi, 2.0 * pi / 32), lip);
-        revolve([](double u) { return length_m + 0.06 - pipeLength_m * u; },
-                [](double u) { return nozzleRadius_m * (1.0 - 0.06 * u); }, nozzleDrop_m, inwards,
-                pipe, 32);
-        revolve([](double) { return length_m + 0.06 - pipeLength_m; }, [](double u) { return u; },
-                nozzleDrop_m, edges(0.0, 0.95 * nozzleRadius_m, 0.05), turbine, 32);
+        revolve([](double u) { return exit_m - u; }, insideRadius_m, nozzleDrop_m,
+                edges(0.0, pipeLength_m, 0.1), pipe, 32);
+        revolve([](double) { return exit_m - pipeLength_m; }, [](double u) { return u; },
+                nozzleDrop_m, edges(0.0, 0.999 * pipeRadius_m, 0.05), turbine, 32);
         // The cone behind the turbine.
-        revolve([](double u) { return length_m + 0.07 - pipeLength_m + 0.55 * u; },
+        revolve([](double u) { return exit_m + 0.01 - pipeLength_m + 0.55 * u; },
                 [](double u) { return 0.13 * std::sqrt(1.0 - u); }, nozzleDrop_m,
                 edges(0.0, 1.0, 0.125), turbine, 24);
     }
 
-    /// A shell closed but for its end in the nozzle, with a point at the other: where it ends its
-    /// wall is still seen from the side.
-    void addShell(double length, double widest, const FlightSurface& of) {
-        const Curve radius{{0.0, nozzleRadius_m * 0.98},
-                           {0.06, nozzleRadius_m + 0.2 * (widest - nozzleRadius_m)},
-                           {0.4, widest},
-                           {0.65, 0.9 * widest},
-                           {0.85, 0.5 * widest},
-                           {1.0, 0.0}};
-        revolve([=](double u) { return length_m + 0.08 + length * u; },
-                [&](double u) { return radius(u); }, nozzleDrop_m, edges(0.0, 1.0, 1.0 / 20), of,
-                24);
-    }
+    /// Zones of the jet behind the nozzle, and what fills the pipe.
     void addPlume() {
-        addShell(3.2, 0.31, plumeCore);
-        addShell(6.5, 0.50, plumeMiddle);
-        addShell(10.5, 0.80, plumeOuter);
+        const PlumeAxis axis = [this](double along_m) {
+            return AxisPlace{at(exit_m + along_m, 0.0, nozzleDrop_m), {0.0, -1.0, 0.0}};
+        };
+        const Vec3 across{1.0, 0.0, 0.0};
+        addGasZones(writer_, irsg::plumeZones(heronJet().table(), heronZones), axis, across,
+                    firstGas, gas);
+        constexpr double clear = 0.985, from_m = 0.002;
+        std::vector<std::array<double, 2>> inside_m;
+        for (const double before_m : {pipeLength_m - 0.02, 0.9, 0.7, 0.5, 0.3, 0.15, from_m})
+            inside_m.push_back({-before_m, clear * insideRadius_m(before_m)});
+        constexpr std::int32_t index = firstGas + static_cast<std::int32_t>(heronZones);
+        addGasTube(writer_, inside_m, axis, across, {"inner", {index, index}, false, gas});
     }
 
     FlightWriter& writer_;

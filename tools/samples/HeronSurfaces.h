@@ -35,9 +35,9 @@ inline std::vector<FlightSurface> cowlSteps(const std::string& name, int count, 
 inline const std::vector<FlightSurface> middleCowl = cowlSteps("cowl", 18, 41, 6);
 inline const std::vector<FlightSurface> endCowl = cowlSteps("end", 9, 61, 9);
 inline const FlightSurface pipe{"pipe", {5, 4}, true, burnt};
-inline const FlightSurface plumeCore{"core", {6, 5}, false, gas};
-inline const FlightSurface plumeMiddle{"middle", {7, 6}, false, gas};
-inline const FlightSurface plumeOuter{"outer", {8, 7}, false, gas};
+/// Temperature and material of the outermost zone of a plume; zones within and the gas in the pipe
+/// follow.
+inline constexpr std::int32_t firstGas = 71;
 inline const FlightSurface disc{"disc", {9, 9}, true, turning};
 inline const FlightSurface turbine{"turbine", {10, 4}, true, burnt};
 inline const FlightSurface lip{"lip", {11, 4}, true, burnt};

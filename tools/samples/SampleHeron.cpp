@@ -18,4 +18,16 @@ FlightWriter heronModel() {
     return writer;
 }
 
+irsg::RoundJet heronJet() {
+    irsg::RoundJet jet;
+    jet.diameter_m = 0.37;
+    jet.temperature_K = 790.0;
+    jet.velocity_m_s = 180.0;
+    jet.fuelAirRatio = 0.0185;
+    jet.air_K = 286.0;
+    jet.coflow_m_s = 102.0;
+    jet.endsAt = 0.15;
+    return jet;
+}
+
 } // namespace smat
