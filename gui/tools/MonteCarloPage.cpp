@@ -59,11 +59,12 @@ MonteCarloPage::MonteCarloPage(Workbench& workbench, Dialogs dialogs, QWidget* p
     summary_->setObjectName("summary");
     summary_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     summary_->setContentsMargins(12, 6, 12, 8);
-    auto* notes = new NotesArea(summary_, 110, right);
+    notes_ = new NotesArea(summary_, 110, right);
+    notes_->hide();
     connect(&DisplayUnitsWatch::instance(), &DisplayUnitsWatch::changed, this,
             &MonteCarloPage::summarize);
     rightColumn->addWidget(plots_, 1);
-    rightColumn->addWidget(notes);
+    rightColumn->addWidget(notes_);
 
     connect(write_, &QPushButton::clicked, this, &MonteCarloPage::writeScalingFiles);
     for (QComboBox* box : {analysis_, quantity_, sequence_, statistic_})
@@ -270,6 +271,7 @@ void MonteCarloPage::showResult(const JobResult& result) {
     items_ = data.analysis.summary;
     warnings_ = data.analysis.warnings;
     summarize();
+    notes_->show();
     refresh();
 }
 

@@ -56,6 +56,7 @@ class MonteCarloPage : public ToolPage {
     QDoubleSpinBox* standardError_ = nullptr;
     QLineEdit* percentiles_ = nullptr;
     QTreeWidget* scales_ = nullptr;
+    QWidget* notes_ = nullptr; ///< around the summary, once there is one
     QLabel *scalesNote_ = nullptr, *summary_ = nullptr;
     std::vector<SummaryItem> items_; ///< of the result that is shown
     std::vector<std::string> warnings_;

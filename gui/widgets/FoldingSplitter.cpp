@@ -19,10 +19,9 @@ FoldingSplitter::FoldingSplitter(QWidget* form, int form_px, QWidget* result, QW
     addWidget(form);
     addWidget(result);
     setChildrenCollapsible(false);
-    // A form of fixed width would hold what is below it to that width.
     for (auto* area : form->findChildren<VerticalScrollArea*>())
         area->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
-    form->setSizePolicy(QSizePolicy::Preferred, form->sizePolicy().verticalPolicy());
+    policy_ = form->sizePolicy();
     setStretchFactor(0, 0);
     setStretchFactor(1, 1);
     beside_ = {form_px, usualWidth_px - form_px};
@@ -37,12 +36,20 @@ QSize FoldingSplitter::minimumSizeHint() const {
 }
 
 void FoldingSplitter::resizeEvent(QResizeEvent* event) {
-    const int both_px = leastOf(*widget(0)).width() + leastOf(*widget(1)).width() + handleWidth();
+    const int form_px = policy_.horizontalPolicy() == QSizePolicy::Fixed
+                            ? widget(0)->sizeHint().width()
+                            : leastOf(*widget(0)).width();
+    const int both_px = form_px + leastOf(*widget(1)).width() + handleWidth();
     const auto wanted = width() >= both_px ? Qt::Horizontal : Qt::Vertical;
     if (wanted != orientation()) {
         if (wanted == Qt::Vertical && sizes().front() > 0)
             beside_ = sizes();
         setOrientation(wanted);
+        // A form of fixed width would hold what is below it to that width.
+        QSizePolicy policy = policy_;
+        if (wanted == Qt::Vertical)
+            policy.setHorizontalPolicy(QSizePolicy::Preferred);
+        widget(0)->setSizePolicy(policy);
         if (wanted == Qt::Horizontal)
             setSizes(beside_);
         else

@@ -19,7 +19,8 @@ class FoldingSplitter : public QSplitter {
     void resizeEvent(QResizeEvent* event) override;
 
   private:
-    QList<int> beside_; ///< sizes to come back to
+    QList<int> beside_;  ///< sizes to come back to
+    QSizePolicy policy_; ///< of the form beside its result
 };
 
 } // namespace smat::gui

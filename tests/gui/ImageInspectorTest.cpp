@@ -114,7 +114,7 @@ TEST_F(ImageViewTest, StatisticsOfARectangleKnowItsContrastIntensity) {
     const auto intensity = irsg::contrastIntensity_W_sr(image, image.primary());
     ASSERT_TRUE(intensity);
     EXPECT_TRUE(view.statistics().contains(
-        QString("contrast intensity %1 W·sr⁻¹").arg(*intensity, 0, 'g', 6)))
+        QString("contrast intensity %1 W·sr⁻¹").arg(*intensity, 0, 'g', 4)))
         << view.statistics().toStdString();
     view.setImage(small());
     EXPECT_FALSE(view.statistics().contains("contrast intensity"));
