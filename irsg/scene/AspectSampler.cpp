@@ -75,10 +75,9 @@ RangeGeometry::KindPlaces placesOf(const PixelGeometry& pixels, const Sensor& se
     const auto width = static_cast<std::size_t>(sensor.width_px);
     RangeGeometry::KindPlaces places{side_m, {}};
     for (std::size_t cell = 0; cell < pixels.field.cells(); ++cell) {
-        const double right_m =
-            (static_cast<double>(cell % width) + 0.5 - 0.5 * sensor.width_px) * side_m;
-        const double up_m =
-            (0.5 * sensor.height_px - static_cast<double>(cell / width) - 0.5) * side_m;
+        const std::size_t row = cell / width, column = cell % width;
+        const double right_m = (static_cast<double>(column) + 0.5 - 0.5 * sensor.width_px) * side_m;
+        const double up_m = (0.5 * sensor.height_px - static_cast<double>(row) - 0.5) * side_m;
         pixels.field.forEach(cell, [&](std::size_t number, std::span<const float> numbers) {
             const SurfaceStackId& kind = pixels.field.kinds()[number];
             if (const float coverage = numbers[ViewLayout::coverage()]; coverage > 0.0f)
