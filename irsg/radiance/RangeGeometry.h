@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -77,6 +78,10 @@ class RangeGeometry {
     /// another nearness at most, as a share of it (see Outputs::Reports::alongRangeFrom).
     const FromOne& from(int entity, const PointAspect& aspect, double distance_m, bool withPlaces,
                         const std::function<FromOne()>& draw);
+    /// That distance for one that is asked for: no object is sampled from nearer than `closest`.
+    static double sampledFrom_m(double asked_m, double reach_m) {
+        return std::max(asked_m, reach_m / closest);
+    }
     static double errorFrom(double sampledNearness, double nearness) {
         return 2.0 * std::abs(sampledNearness - nearness);
     }

@@ -318,7 +318,7 @@ void AspectSampler::addAlongRange(const Frame& frame, const AlongRange& one,
     const bool withErrors = !view.sublatticeDifferences.empty();
     if (isFromOne) {
         const double distance_m =
-            std::max(*frame.request.sampledFrom_m, reach_m / RangeGeometry::closest);
+            RangeGeometry::sampledFrom_m(*frame.request.sampledFrom_m, reach_m);
         const SurfaceRows rows = rowsAt(distance_m);
         const CameraFrame camera = prepared_.cameraAlong(entity, from, distance_m, frame.sensor());
         const RangeGeometry::FromOne& drawn =

@@ -190,32 +190,30 @@ std::optional<AlongRange> FramePlanner::alongRange(const FrameRequest& request,
     const double range_m =
         surfaces.evaluation.geometry[static_cast<std::size_t>(object.entity)].path.range_m;
     const double ofItself_m = prepared_.reach_m(entity);
-    if (!(ofItself_m > 0.0) || hiddenPart(surfaces, object.entity) != HiddenPart::none)
-        return std::nullopt;
-    AlongRange one{object, ofItself_m};
-    double nearest_m = range_m;
-    if (const auto terrain_m = terrainDistance_m(request, backgrounds, object.extent)) {
-        if (!request.sampledFrom_m)
-            return std::nullopt;
-        // What hides it must do so from here as from where it is sampled.
-        const double sampledFrom_m =
-            std::max(*request.sampledFrom_m, ofItself_m / RangeGeometry::closest);
-        nearest_m = std::min(range_m, sampledFrom_m);
-        const auto there_m =
-            terrainDistanceAlong_m(request, surfaces, object.entity, sampledFrom_m);
-        const double before_m =
-            std::max(range_m - *terrain_m, there_m ? sampledFrom_m - *there_m : -range_m);
-        one.reach_m = std::max(ofItself_m, before_m);
-        // Pixels have means, behind what may hide it at their rims.
-        one.isAmongTerrain = before_m > -2.0 * ofItself_m;
-    }
     // Cosines off the axis are those of a camera that looks at the reference point.
     constexpr double nearby = 1e-6;
     const Viewpoint& viewpoint = request.view.viewpoint;
     const bool isLookedAt =
         length(prepared_.towards(entity, viewpoint.position_m) - viewpoint.backward) < nearby;
-    if (one.reach_m > RangeGeometry::closest * nearest_m || !isLookedAt ||
+    if (!(ofItself_m > 0.0) || ofItself_m > RangeGeometry::closest * range_m ||
+        hiddenPart(surfaces, object.entity) != HiddenPart::none || !isLookedAt ||
         !isWholeAndApart(request.view.sensor, seen, object))
+        return std::nullopt;
+    AlongRange one{object, ofItself_m};
+    const auto terrain_m = terrainDistance_m(request, backgrounds, object.extent);
+    if (!terrain_m)
+        return one;
+    if (!request.sampledFrom_m)
+        return std::nullopt;
+    // What hides it must do so from here as from where it is sampled.
+    const double sampledFrom_m = RangeGeometry::sampledFrom_m(*request.sampledFrom_m, ofItself_m);
+    const auto there_m = terrainDistanceAlong_m(request, surfaces, object.entity, sampledFrom_m);
+    const double before_m =
+        std::max(range_m - *terrain_m, there_m ? sampledFrom_m - *there_m : -range_m);
+    one.reach_m = std::max(ofItself_m, before_m);
+    // Pixels have means, behind what may hide it at their rims.
+    one.isAmongTerrain = before_m > -2.0 * ofItself_m;
+    if (one.reach_m > RangeGeometry::closest * std::min(range_m, sampledFrom_m))
         return std::nullopt;
     return one;
 }

@@ -32,9 +32,7 @@ class Tube {
     explicit Tube(const Vec3& across) : across_(across) {}
 
     void add(const AxisPlace& axis, double radius_m) {
-        // As much gas as in a round one.
-        constexpr double step = 2.0 * pi / around;
-        const double wide_m = std::sqrt(step / std::sin(step)) * radius_m;
+        const double wide_m = widerThanRound(around) * radius_m;
         const Vec3 out = cross(axis.along, across_);
         Vec3 one = axis.place + out * wide_m, other = axis.place - out * wide_m;
         if (!rings_.empty()) {
@@ -65,27 +63,8 @@ class Tube {
             }
         }
         const Vec3 begins = (rings_.front().one + rings_.front().other) * 0.5;
-        const auto lid = static_cast<std::uint32_t>(all.size());
-        all.push_back({begins, normalized(begins - tip_)});
-        all.push_back({tip_, normalized(tip_ - begins)});
-        const auto at = [](std::size_t ring, std::size_t k) {
-            return static_cast<std::uint32_t>(ring * around + k % around);
-        };
-        FlightPrimitive first{FlightPrimitive::Kind::fan, {lid}},
-            end{FlightPrimitive::Kind::fan, {lid + 1}};
-        for (std::size_t k = 0; k <= around; ++k) {
-            first.indices.push_back(at(0, k));
-            end.indices.push_back(at(rings_.size() - 1, around - k));
-        }
-        std::vector<FlightPrimitive> strips{first, end};
-        for (std::size_t ring = 0; ring + 1 < rings_.size(); ++ring) {
-            FlightPrimitive& strip = strips.emplace_back();
-            for (std::size_t k = 0; k <= around; ++k) {
-                strip.indices.push_back(at(ring, k));
-                strip.indices.push_back(at(ring + 1, k));
-            }
-        }
-        writer.addMesh(of, all, strips);
+        addClosedRings(writer, of, std::move(all), around, {begins, normalized(begins - tip_)},
+                       {tip_, normalized(tip_ - begins)});
     }
 
   private:
@@ -126,6 +105,43 @@ Tube tubeOf(const std::vector<std::array<double, 2>>& outline_m, const PlumeAxis
 
 } // namespace
 
+void addClosedRings(ModelWriter& writer, const FlightSurface& of, std::vector<FlightVertex> rings,
+                    std::size_t around, const FlightVertex& lid, const FlightVertex& tip) {
+    const std::size_t last = rings.size() / around - 1;
+    const auto lidAt = static_cast<std::uint32_t>(rings.size());
+    rings.push_back(lid);
+    rings.push_back(tip);
+    const auto at = [&](std::size_t ring, std::size_t k) {
+        return static_cast<std::uint32_t>(ring * around + k % around);
+    };
+    FlightPrimitive first{FlightPrimitive::Kind::fan, {lidAt}},
+        end{FlightPrimitive::Kind::fan, {lidAt + 1}};
+    for (std::size_t k = 0; k <= around; ++k) {
+        first.indices.push_back(at(0, k));
+        end.indices.push_back(at(last, around - k));
+    }
+    std::vector<FlightPrimitive> strips{first, end};
+    for (std::size_t ring = 0; ring < last; ++ring) {
+        FlightPrimitive& strip = strips.emplace_back();
+        for (std::size_t k = 0; k <= around; ++k) {
+            strip.indices.push_back(at(ring, k));
+            strip.indices.push_back(at(ring + 1, k));
+        }
+    }
+    writer.addMesh(of, rings, strips);
+}
+
+double widerThanRound(std::size_t corners) {
+    const double step = 2.0 * pi / static_cast<double>(corners);
+    return std::sqrt(step / std::sin(step));
+}
+
+double roundedEnd(double place) {
+    constexpr double from = 0.75;
+    const double over = std::max(0.0, (place - from) / (1.0 - from));
+    return std::sqrt(std::max(0.0, 1.0 - over * over));
+}
+
 void addGasTube(ModelWriter& writer, const std::vector<std::array<double, 2>>& outline_m,
                 const PlumeAxis& axis, const Vec3& across, const FlightSurface& of) {
     tubeOf(outline_m, axis, across).write(writer, of, 0.0, 0.0);
@@ -136,15 +152,10 @@ void addGasZones(ModelWriter& writer, const std::vector<irsg::PlumeZone>& zones,
                  double side) {
     // Walls of zones within each other lie apart.
     constexpr double apart_m = 0.0015, thinner = 0.0015;
-    constexpr double roundFrom = 0.75;
     double end_m = 0.0;
     for (const irsg::PlumeZone& zone : zones)
         for (const auto& outline : zone.outlines_m)
             end_m = std::max(end_m, outline.back()[0]);
-    const auto left = [&](double x_m) {
-        const double over = std::max(0.0, (x_m / end_m - roundFrom) / (1.0 - roundFrom));
-        return std::sqrt(std::max(0.0, 1.0 - over * over));
-    };
     for (std::size_t z = 0; z < zones.size(); ++z)
         for (const auto& outline : zones[z].outlines_m) {
             const auto number = static_cast<double>(z);
@@ -153,7 +164,7 @@ void addGasZones(ModelWriter& writer, const std::vector<irsg::PlumeZone>& zones,
             for (const double x_m : places_m(outline.front()[0] + apart_m * (number + 1.0),
                                              outline.back()[0] - apart_m * number))
                 own.push_back({x_m, radiusAt_m(outline, x_m) * (1.0 - thinner * number) *
-                                        (isCutOff ? left(x_m) : 1.0)});
+                                        (isCutOff ? roundedEnd(x_m / end_m) : 1.0)});
             const std::int32_t index = first + static_cast<std::int32_t>(z);
             const FlightSurface of{"zone" + std::to_string(z + 1), {index, index}, false, look};
             tubeOf(own, axis, across).write(writer, of, side, apart_m * (number + 1.0));

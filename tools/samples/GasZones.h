@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -17,6 +18,15 @@ struct AxisPlace {
 /// By the distance along it, m.
 using PlumeAxis = std::function<AxisPlace(double along_m)>;
 
+/// Writes a closed mesh of rings of `around` vertices, one ring after the other: `lid` is the
+/// middle of the first, `tip` ends the last.
+void addClosedRings(ModelWriter& writer, const FlightSurface& of, std::vector<FlightVertex> rings,
+                    std::size_t around, const FlightVertex& lid, const FlightVertex& tip);
+/// By how much a polygon of so many corners is wider than a round of the same area.
+double widerThanRound(std::size_t corners);
+/// The share of its radius that gas has at a place of its length, where 1 is the end of the table
+/// that cuts it off: it goes round there, so that no edge is seen.
+double roundedEnd(double place);
 /// Writes gas about an axis as a closed mesh: an outline of (x, r), x ascending, r above 0, with
 /// flat ends. `across` is the normal to the plane in which the axis bends; where it bends within
 /// less than the radius, rings turn about their inner places.

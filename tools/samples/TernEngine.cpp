@@ -8,6 +8,7 @@
 
 #include "irsg/gas/PlumeTable.h"
 #include "irsg/gas/RoundJet.h"
+#include "tools/samples/GasZones.h"
 #include "tools/samples/Patch.h"
 #include "tools/samples/SampleTern.h"
 #include "tools/samples/TernParts.h"
@@ -171,9 +172,7 @@ class Rings {
     /// `radii_m` by angle from the top; no place is nearer to the plane of symmetry than `least_m`.
     void add(double station, double middle_m, const std::vector<double>& radii_m,
              double least_m = 0.0) {
-        // As much gas as in a round one.
-        const double step = 2.0 * pi / static_cast<double>(around_);
-        const double wider = std::sqrt(step / std::sin(step));
+        const double wider = widerThanRound(around_);
         middles_.push_back({side_ * middle_m, nose_m - station, axis_m});
         for (std::size_t k = 0; k < around_; ++k) {
             const Vec3 out{side_ * std::sin(angle(k)), 0.0, std::cos(angle(k))};
@@ -188,29 +187,8 @@ class Rings {
         tip_ = Vec3{side_ * middle_m, nose_m - station, axis_m};
     }
     void write(FlightWriter& writer, const FlightSurface& of) const {
-        std::vector<FlightVertex> all = vertices_;
-        all.push_back({middles_.front(), {0, 1, 0}});
-        all.push_back({tip_.value_or(middles_.back()), {0, -1, 0}});
-        const auto at = [&](std::size_t ring, std::size_t k) {
-            return static_cast<std::uint32_t>(ring * around_ + k % around_);
-        };
-        const std::size_t last = middles_.size() - 1;
-        const auto front = static_cast<std::uint32_t>(vertices_.size());
-        FlightPrimitive first{FlightPrimitive::Kind::fan, {front}},
-            end{FlightPrimitive::Kind::fan, {front + 1}};
-        for (std::size_t k = 0; k <= around_; ++k) {
-            first.indices.push_back(at(0, k));
-            end.indices.push_back(at(last, around_ - k));
-        }
-        std::vector<FlightPrimitive> strips{first, end};
-        for (std::size_t ring = 0; ring < last; ++ring) {
-            FlightPrimitive& strip = strips.emplace_back();
-            for (std::size_t k = 0; k <= around_; ++k) {
-                strip.indices.push_back(at(ring, k));
-                strip.indices.push_back(at(ring + 1, k));
-            }
-        }
-        writer.addMesh(of, all, strips);
+        addClosedRings(writer, of, vertices_, around_, {middles_.front(), {0, 1, 0}},
+                       {tip_.value_or(middles_.back()), {0, -1, 0}});
     }
 
   private:
@@ -238,13 +216,7 @@ void addZone(FlightWriter& writer, const TwoJets& jets, double side, double exit
     constexpr int count = 34;
     constexpr std::size_t around = 32;
     const double inset_m = apart_m * static_cast<double>(number + 1);
-    // Gas that the table ends in goes round at its end, so that no edge is seen there.
-    constexpr double roundFrom = 0.75;
     const double end_m = endOf_m(jets, from_K), last_m = jets.table().x_m().back();
-    const auto left = [&](double x_m) {
-        const double over = std::max(0.0, (x_m / last_m - roundFrom) / (1.0 - roundFrom));
-        return std::sqrt(std::max(0.0, 1.0 - over * over));
-    };
     Rings rings(side, around);
     for (int i = 0; i < count; ++i) {
         // Closer at the nozzle and at the round end.
@@ -253,7 +225,8 @@ void addZone(FlightWriter& writer, const TwoJets& jets, double side, double exit
         const double middle_m = jets.middle_m(x_m);
         std::vector<double> radii_m;
         for (std::size_t k = 0; k < around; ++k)
-            radii_m.push_back(left(x_m) * (1.0 - apart_m * static_cast<double>(number)) *
+            radii_m.push_back(roundedEnd(x_m / last_m) *
+                              (1.0 - apart_m * static_cast<double>(number)) *
                               jets.reach_m(x_m, middle_m, rings.angle(k), from_K, inset_m));
         rings.add(exit_m + x_m, middle_m, radii_m, inset_m);
     }
