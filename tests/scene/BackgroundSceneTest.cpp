@@ -4,10 +4,6 @@
 #include <cmath>
 #include <string>
 
-#include <osg/Geode>
-#include <osg/Geometry>
-#include <osg/Texture2D>
-
 #include "irsg/core/Errors.h"
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
@@ -15,6 +11,7 @@
 #include "irsg/render/background/Terrain.h"
 #include "tests/support/MadeGraphs.h"
 #include "tests/support/SceneFixtures.h"
+#include "tests/support/TerrainSheets.h"
 
 using namespace irsg;
 using namespace irsg::test;
@@ -26,24 +23,9 @@ constexpr IrCodes one{1, 1};
 /// A wall that faces south, with a plain texture, its lower left corner given.
 std::shared_ptr<const Terrain> wall(const Vec3& corner, double width_m, double height_m,
                                     float texel) {
-    const osg::ref_ptr<osg::Image> image = new osg::Image;
-    image->allocateImage(1, 1, 1, GL_LUMINANCE, GL_FLOAT);
-    *reinterpret_cast<float*>(image->data()) = texel;
-    const auto place = [&](double right, double up) {
-        return osg::Vec3(static_cast<float>(corner.x + right * width_m),
-                         static_cast<float>(corner.y),
-                         static_cast<float>(corner.z + up * height_m));
-    };
-    const osg::Vec3 vertices[] = {place(0, 0), place(1, 0), place(1, 1), place(0, 1)};
-    const osg::Vec2 places[] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-    const osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
-    geometry->setVertexArray(new osg::Vec3Array(4, vertices));
-    geometry->setTexCoordArray(0, new osg::Vec2Array(4, places));
-    geometry->addPrimitiveSet(new osg::DrawArrays(GL_QUADS, 0, 4));
-    const osg::ref_ptr<osg::Geode> geode = new osg::Geode;
-    geode->addDrawable(geometry);
-    geode->getOrCreateStateSet()->setTextureAttributeAndModes(0, new osg::Texture2D(image));
-    return terrainOfGraph(*geode, "wall");
+    return terrainOfGraph(*sheet(corner, {width_m, 0, 0}, {0, 0, height_m},
+                                 textureOf(1, [=](int, int) { return texel; })),
+                          "wall");
 }
 
 std::shared_ptr<const Skybox> plainSky(float texel) {

@@ -10,47 +10,21 @@
 #include <utility>
 #include <vector>
 
-#include <osg/Geode>
-#include <osg/Geometry>
-#include <osg/Texture2D>
-
 #include "irsg/atmosphere/AtmosphereSmart.h"
 #include "irsg/atmosphere/BeerLambert.h"
 #include "irsg/core/ParallelFor.h"
 #include "irsg/radiance/RangeGeometry.h"
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
-#include "tests/support/MadeGraphs.h"
+#include "tests/scene/RangeScenes.h"
 #include "tests/support/SampleAircraft.h"
 #include "tests/support/SceneFixtures.h"
 
 using namespace irsg;
 using namespace irsg::test;
+using namespace irsg::test::ranges;
 
 namespace {
-
-constexpr IrCodes one{1, 1};
-constexpr double emissivity = 0.9, temperature_K = 320.0;
-
-RenderSettings settingsOf(int tileSide_samples) {
-    RenderSettings settings = RenderSettings::direct();
-    settings.tileSide_samples = tileSide_samples;
-    settings.background = BackgroundMode::constant;
-    settings.background_W_m2_sr = 0.5;
-    return settings;
-}
-
-Entity grey(const Triangles& mesh) {
-    return entityOf(modelOf(mesh), greyDatabase(emissivity, temperature_K));
-}
-
-InteractiveRenderer generatorOf(std::vector<Entity> entities, int tileSide_samples = 256) {
-    InteractiveRenderer irsg{RenderSettings::direct()};
-    irsg.scene.environment = environmentOf(ConstantAtmosphere{});
-    irsg.scene.settings = settingsOf(tileSide_samples);
-    irsg.scene.entities = std::move(entities);
-    return irsg;
-}
 
 std::vector<double> rangesFrom(double nearest_m, double times, int count) {
     std::vector<double> ranges_m;
@@ -58,19 +32,6 @@ std::vector<double> rangesFrom(double nearest_m, double times, int count) {
         ranges_m.push_back(nearest_m * std::pow(times, static_cast<double>(i) / (count - 1)));
     }
     return ranges_m;
-}
-
-struct Aspect {
-    double azimuth_deg = 0.0, elevation_deg = 0.0;
-};
-
-void look(InteractiveRenderer& irsg, const Aspect& aspect, double range_m) {
-    test::look(irsg, {.range_m = range_m,
-                      .azimuth_rad = radians(aspect.azimuth_deg),
-                      .elevation_rad = radians(aspect.elevation_deg),
-                      .width_px = 400,
-                      .height_px = 300,
-                      .fieldOfView_rad = 0.2});
 }
 
 RenderReport along(InteractiveRenderer& irsg) {
@@ -143,71 +104,6 @@ std::vector<double> differences(const std::vector<double>& values,
 void print(const std::string& name, const std::vector<double>& errors) {
     std::printf("%s: RMS %.1e, largest %.1e, step %.1e, bend %.1e\n", name.c_str(), rmsOf(errors),
                 worstOf(errors), worstOf(steps(errors)), worstOf(steps(steps(errors))));
-}
-
-/// A rectangle with a texture of squares from black to white, given about the standing place.
-struct Sheet {
-    Vec3 corner_m, along_m, up_m;
-    int squares = 1;
-};
-
-std::shared_ptr<const Terrain> terrainOf(const std::vector<Sheet>& sheets) {
-    const osg::ref_ptr<osg::Group> group = new osg::Group;
-    for (const auto& [corner, along, up, squares] : sheets) {
-        const osg::ref_ptr<osg::Image> image = new osg::Image;
-        image->allocateImage(squares, squares, 1, GL_LUMINANCE, GL_FLOAT);
-        for (int y = 0; y < squares; ++y) {
-            for (int x = 0; x < squares; ++x) {
-                *reinterpret_cast<float*>(
-                    image->data(static_cast<unsigned>(x), static_cast<unsigned>(y))) =
-                    0.5f * static_cast<float>((7 * x + 3 * y) % 5);
-            }
-        }
-        const auto at = [](const Vec3& v) {
-            return osg::Vec3(static_cast<float>(v.x), static_cast<float>(v.y),
-                             static_cast<float>(v.z));
-        };
-        const osg::Vec3 vertices[] = {at(corner), at(corner + along), at(corner + along + up),
-                                      at(corner + up)};
-        const osg::Vec2 places[] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-        const osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
-        geometry->setVertexArray(new osg::Vec3Array(4, vertices));
-        geometry->setTexCoordArray(0, new osg::Vec2Array(4, places));
-        geometry->addPrimitiveSet(new osg::DrawArrays(GL_QUADS, 0, 4));
-        const osg::ref_ptr<osg::Geode> geode = new osg::Geode;
-        geode->addDrawable(geometry);
-        geode->getOrCreateStateSet()->setTextureAttributeAndModes(0, new osg::Texture2D(image));
-        group->addChild(geode);
-    }
-    return terrainOfGraph(*group, "sheets", {0, 0, standingAltitude_m});
-}
-
-/// A box before ground of bright and dark squares that lies 40 m below it.
-InteractiveRenderer boxOverGround(std::vector<Sheet> more = {}) {
-    InteractiveRenderer irsg =
-        generatorOf({grey(boxMesh({2, 6, 1.5}, std::vector<IrCodes>(6, one)))}, 1024);
-    more.push_back({{-6000, -6000, -40}, {12000, 0, 0}, {0, 12000, 0}, 1024});
-    irsg.scene.terrain = terrainOf(more);
-    irsg.scene.settings.terrain = {1.0, 0.0};
-    return irsg;
-}
-
-/// The reports of a drawing for the range alone, and of one from another.
-struct Sampled {
-    RenderReport drawn, fromOne;
-    double off() const {
-        return fromOne.all.contrastIntensity_W_sr / drawn.all.contrastIntensity_W_sr - 1.0;
-    }
-    double error() const {
-        return fromOne.all.errors->contrastIntensity_W_sr.sum() /
-               std::abs(drawn.all.contrastIntensity_W_sr);
-    }
-};
-
-Sampled sampled(InteractiveRenderer& irsg, double sampledFrom_m) {
-    return {
-        irsg.measure(),
-        irsg.render(Outputs::reports().alongRangeFrom(sampledFrom_m).withErrors()).reports.front()};
 }
 
 /// Neither the curve nor its slope jumps by more than three times the RMS.
@@ -438,73 +334,6 @@ TEST(RangeCurve, FromOneDrawingIsRightThereAndWithinItsErrorElsewhere) {
             std::printf("from %g m at %g m: off by %.1e of %.1e\n", sampledAt_m, range_m, off,
                         error);
         }
-    }
-}
-
-// What is behind a target changes with the range, how it is seen does not.
-TEST(RangeCurve, FromOneDrawingHasTheTerrainBehindOfEachRange) {
-    InteractiveRenderer irsg = boxOverGround();
-    std::vector<double> backgrounds;
-    for (const double sampledFrom_m : {300.0, 3000.0}) {
-        for (const double range_m : {120.0, 300.0, 900.0, 3000.0}) {
-            look(irsg, {30, 15}, range_m);
-            const Sampled both = sampled(irsg, sampledFrom_m);
-            const std::string name =
-                std::to_string(sampledFrom_m) + " to " + std::to_string(range_m);
-            EXPECT_GT(both.fromOne.alongRangeReach_m, 0.0) << name;
-            EXPECT_LT(both.fromOne.alongRangeReach_m, 10.0) << name;
-            EXPECT_LT(std::abs(both.off()), both.error() + 1e-3) << name;
-            if (range_m == sampledFrom_m) {
-                EXPECT_LT(std::abs(both.off()), 1e-3) << name;
-            }
-            const ObjectRadiometry& all = both.drawn.all;
-            backgrounds.push_back((all.intensity_W_sr - all.contrastIntensity_W_sr) /
-                                  all.solidAngle_sr / (range_m * range_m));
-        }
-    }
-    const auto [least, most] = std::ranges::minmax_element(backgrounds);
-    EXPECT_GT(*most, 1.1 * *least) << "the squares matter";
-}
-
-// A wall just before the target hides its lower part from any range alike.
-TEST(RangeCurve, FromOneDrawingIsHiddenByTheTerrainAroundIt) {
-    InteractiveRenderer irsg = boxOverGround({{{-30, 8, -40}, {60, 0, 0}, {0, 0, 40.2}, 4}});
-    for (const double range_m : {300.0, 3000.0}) {
-        look(irsg, {0, 2}, range_m);
-        const double whole_sr = [&] {
-            irsg.scene.settings.terrainHides = false;
-            const double seen_sr = irsg.measure().all.solidAngle_sr;
-            irsg.scene.settings.terrainHides = true;
-            return seen_sr;
-        }();
-        for (const double sampledFrom_m : {300.0, 3000.0}) {
-            const Sampled both = sampled(irsg, sampledFrom_m);
-            const std::string name =
-                std::to_string(sampledFrom_m) + " to " + std::to_string(range_m);
-            EXPECT_GT(both.fromOne.alongRangeReach_m, 7.0) << name;
-            EXPECT_LT(both.drawn.all.solidAngle_sr, 0.8 * whole_sr) << name;
-            EXPECT_GT(both.drawn.all.solidAngle_sr, 0.1 * whole_sr) << name;
-            EXPECT_LT(std::abs(both.off()), both.error() + 2e-3) << name;
-            if (range_m == sampledFrom_m) {
-                EXPECT_LT(std::abs(both.off()), 2e-3) << name;
-            }
-        }
-    }
-}
-
-// A wall far before the target is behind a camera that is nearer.
-TEST(RangeCurve, IsDrawnForItselfWhereTerrainStandsFarBeforeTheTarget) {
-    InteractiveRenderer irsg = boxOverGround({{{-300, 200, -40}, {600, 0, 0}, {0, 0, 400}, 4}});
-    for (const auto& [range_m, sampledFrom_m] :
-         {std::pair{150.0, 3000.0}, {150.0, 6000.0}, {3000.0, 150.0}, {6000.0, 150.0}}) {
-        look(irsg, {0, 5}, range_m);
-        const Sampled both = sampled(irsg, sampledFrom_m);
-        EXPECT_EQ(both.fromOne.alongRangeReach_m, 0.0) << range_m;
-        // With errors the samples are added up in another order.
-        EXPECT_NEAR(both.fromOne.all.contrastIntensity_W_sr, both.drawn.all.contrastIntensity_W_sr,
-                    1e-9 * both.drawn.all.intensity_W_sr)
-            << range_m;
-        EXPECT_EQ(both.drawn.all.contrastIntensity_W_sr == 0.0, range_m > 200.0) << range_m;
     }
 }
 

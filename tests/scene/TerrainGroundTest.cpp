@@ -3,9 +3,6 @@
 #include <cmath>
 #include <memory>
 
-#include <osg/Geode>
-#include <osg/Geometry>
-
 #include "irsg/radiometry/Units.h"
 #include "irsg/render/background/BackgroundGrid.h"
 #include "irsg/render/background/GroundDistance.h"
@@ -15,6 +12,7 @@
 #include "irsg/render/rays/RaysBuilt.h"
 #include "tests/support/MadeGraphs.h"
 #include "tests/support/SceneFixtures.h"
+#include "tests/support/TerrainSheets.h"
 
 using namespace irsg;
 using namespace irsg::test;
@@ -46,17 +44,7 @@ class StepAtHorizon : public ConstantAtmosphere {
 
 /// A rectangle without a texture, which adds nothing.
 std::shared_ptr<const Terrain> sheet(const Vec3& corner, const Vec3& along, const Vec3& up) {
-    const osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
-    const osg::ref_ptr<osg::Vec3Array> corners = new osg::Vec3Array;
-    for (const Vec3& v : {corner, corner + along, corner + along + up, corner + up}) {
-        corners->push_back(
-            osg::Vec3(static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)));
-    }
-    geometry->setVertexArray(corners);
-    geometry->addPrimitiveSet(new osg::DrawArrays(GL_QUADS, 0, 4));
-    const osg::ref_ptr<osg::Geode> geode = new osg::Geode;
-    geode->addDrawable(geometry);
-    return terrainOfGraph(*geode, "sheet");
+    return terrainOfGraph(*test::sheet(corner, along, up, {}), "sheet");
 }
 
 /// Looks north, level, 12 degrees high.
