@@ -6,9 +6,8 @@
 #include "irsg/core/Collect.h"
 #include "irsg/core/Errors.h"
 #include "irsg/radiometry/Band.h"
-#include "smatcore/project/EnvironmentInput.h"
+#include "smatcore/tools/GasInput.h"
 #include "smatcore/tools/GasLayerText.h"
-#include "smatcore/tools/GasOutput.h"
 
 namespace smat::batch {
 
@@ -55,11 +54,13 @@ class GasCommand {
 
     int run(Context& context) const {
         files_.check("gas.csv");
-        GasOutputRequest request = requestOf(context);
-        if (request.path) {
+        const GasInput input = checkedInput();
+        GasOutputRequest request;
+        {
             const StageTimer::Scope scope(&context.timer, "load");
-            addAtmosphere(request.path->environment, {atmosphere_.begin(), atmosphere_.end()});
+            request = gasOutputRequest(input);
         }
+        request.commandLine = context.commandLine;
         GasOutput output;
         {
             const StageTimer::Scope scope(&context.timer, "compute");
@@ -72,57 +73,40 @@ class GasCommand {
 
   private:
     /// Every diagnostic of the options at once.
-    GasOutputRequest requestOf(const Context& context) const {
+    GasInput checkedInput() const {
         std::vector<irsg::Diagnostic> diagnostics;
         const auto collect = [&](const auto& work) { irsg::collect(diagnostics, work); };
-        GasOutputRequest request;
-        request.commandLine = context.commandLine;
+        GasInput input;
         for (std::size_t i = 0; i < layers_.size(); ++i)
             collect([&] {
-                request.gas.layers.push_back(
+                input.gas.layers.push_back(
                     gasLayerFromText(layers_[i], "--layer " + std::to_string(i + 1)));
             });
         if (layers_.empty())
-            diagnostics.push_back(
-                {"--layer", "", "nothing",
-                 "a layer, such as --layer T_K=700,p_atm=1,length_m=0.5,CO2=0.033,H2O=0.033"});
-        collect([&] { request.gas.band = irsg::Band::fromText(band_).range(); });
+            diagnostics.push_back({"--layer", "", "nothing",
+                                   std::string("a layer, such as --layer ") + gasLayerExample});
+        collect([&] { input.gas.band = irsg::Band::fromText(band_).range(); });
         collect([&] { numbers_.check(); });
         const std::vector<std::string> words = sourceWords();
         const auto word = std::ranges::find(words, source_);
         if (word == words.end())
             diagnostics.push_back({"--source", "", source_, oneOf(words, source_)});
         else
-            request.gas.source = static_cast<irsg::GasSource>(word - words.begin());
+            input.gas.source = static_cast<irsg::GasSource>(word - words.begin());
         if (const auto step = numbers_.value("--step"))
-            request.gas.step_per_cm = *step;
-        request.gas.background_K = numbers_.value("--background-temperature");
-        addPath(request, diagnostics);
+            input.gas.step_per_cm = *step;
+        input.gas.background_K = numbers_.value("--background-temperature");
+        input.atmosphere = {atmosphere_.begin(), atmosphere_.end()};
+        input.altitude_m = numbers_.value("--altitude");
+        input.range_m = numbers_.value("--range");
+        input.sensorAltitude_m = numbers_.value("--sensor-altitude");
+        // What cannot be read is no request to be checked.
+        std::ranges::move(diagnostics.empty() ? gasInputDiagnostics(input)
+                                              : gasPathDiagnostics(input),
+                          std::back_inserter(diagnostics));
         if (!diagnostics.empty())
             throw irsg::InputError(std::move(diagnostics));
-        return request;
-    }
-
-    void addPath(GasOutputRequest& request, std::vector<irsg::Diagnostic>& diagnostics) const {
-        const auto altitude_m = numbers_.value("--altitude"), range_m = numbers_.value("--range");
-        if (atmosphere_.empty()) {
-            for (const char* option : {"--altitude", "--range", "--sensor-altitude"})
-                if (const auto value = numbers_.value(option))
-                    diagnostics.push_back({option, "", irsg::numberText(*value),
-                                           "nothing without --atmosphere FILE"});
-            return;
-        }
-        for (const char* option : {"--altitude", "--range"})
-            if (!numbers_.value(option))
-                diagnostics.push_back(
-                    {option, "", "nothing", "a number of metres with --atmosphere"});
-        if (!altitude_m || !range_m)
-            return;
-        request.path =
-            GasPath{.environment = {},
-                    .gasAltitude_m = *altitude_m,
-                    .sensorAltitude_m = numbers_.value("--sensor-altitude").value_or(*altitude_m),
-                    .range_m = *range_m};
+        return input;
     }
 
     NumberOptions numbers_;

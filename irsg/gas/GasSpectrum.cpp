@@ -20,31 +20,6 @@ constexpr double hottestBackground_K = 3000.0;
 constexpr double tableStep_per_cm = 5.0; // wider cells are means of several places
 constexpr std::size_t soot = hotGasCount;
 
-void check(const GasRequest& request) {
-    std::vector<Diagnostic> diagnostics;
-    if (request.layers.empty())
-        diagnostics.push_back({"layers", "", "none", "at least one layer of gas"});
-    for (std::size_t i = 0; i < request.layers.size(); ++i)
-        std::ranges::move(gasLayerDiagnostics(request.layers[i], "layer " + std::to_string(i + 1)),
-                          std::back_inserter(diagnostics));
-    const SpectralRange& band = request.band;
-    if (!(band.min_um >= shortest_um && band.max_um <= longest_um && band.min_um < band.max_um))
-        diagnostics.push_back(
-            {"band", "", numberText(band.min_um) + "-" + numberText(band.max_um) + " um",
-             "a band within " + numberText(shortest_um) + "-" + numberText(longest_um) + " um"});
-    if (!(request.step_per_cm >= finest_per_cm && request.step_per_cm <= coarsest_per_cm))
-        diagnostics.push_back({"step", "", numberText(request.step_per_cm),
-                               "a number from " + numberText(finest_per_cm) + " to " +
-                                   numberText(coarsest_per_cm) + " cm-1"});
-    if (request.background_K &&
-        !(*request.background_K >= 1.0 && *request.background_K <= hottestBackground_K))
-        diagnostics.push_back(
-            {"background", "", numberText(*request.background_K),
-             "a temperature from 1 to " + numberText(hottestBackground_K) + " K"});
-    if (!diagnostics.empty())
-        throw InputError(std::move(diagnostics));
-}
-
 bool isThere(const GasRequest& request, std::size_t gas) {
     return std::ranges::any_of(
         request.layers, [&](const GasLayer& layer) { return layer.moleFraction[gas] > 0.0; });
@@ -189,6 +164,30 @@ std::string gasEmitterName(std::size_t emitter) {
     return emitter == soot ? "soot" : hotGasNames.at(emitter);
 }
 
+std::vector<Diagnostic> gasRequestDiagnostics(const GasRequest& request) {
+    std::vector<Diagnostic> diagnostics;
+    if (request.layers.empty())
+        diagnostics.push_back({"layers", "", "none", "at least one layer of gas"});
+    for (std::size_t i = 0; i < request.layers.size(); ++i)
+        std::ranges::move(gasLayerDiagnostics(request.layers[i], "layer " + std::to_string(i + 1)),
+                          std::back_inserter(diagnostics));
+    const SpectralRange& band = request.band;
+    if (!(band.min_um >= shortest_um && band.max_um <= longest_um && band.min_um < band.max_um))
+        diagnostics.push_back(
+            {"band", "", numberText(band.min_um) + "-" + numberText(band.max_um) + " um",
+             "a band within " + numberText(shortest_um) + "-" + numberText(longest_um) + " um"});
+    if (!(request.step_per_cm >= finest_per_cm && request.step_per_cm <= coarsest_per_cm))
+        diagnostics.push_back({"step", "", numberText(request.step_per_cm),
+                               "a number from " + numberText(finest_per_cm) + " to " +
+                                   numberText(coarsest_per_cm) + " cm-1"});
+    if (request.background_K &&
+        !(*request.background_K >= 1.0 && *request.background_K <= hottestBackground_K))
+        diagnostics.push_back(
+            {"background", "", numberText(*request.background_K),
+             "a temperature from 1 to " + numberText(hottestBackground_K) + " K"});
+    return diagnostics;
+}
+
 double GasSpectrum::bandRadiance_W_m2_sr() const {
     return integral(cells, [](const Cell& cell) { return cell.radiance_W_m2_sr_um; });
 }
@@ -207,7 +206,8 @@ double GasSpectrum::bandTransmittance() const {
 }
 
 GasSpectrum gasSpectrum(const GasRequest& request) {
-    check(request);
+    if (std::vector<Diagnostic> diagnostics = gasRequestDiagnostics(request); !diagnostics.empty())
+        throw InputError(std::move(diagnostics));
     GasSpectrum result;
     result.answers = gasAnswers(request.source);
     const double lower_per_cm = wavenumberFromWavelength_per_cm(request.band.max_um);

@@ -21,6 +21,10 @@ struct GasRequest {
     std::optional<double> background_K = {};
 };
 
+/// What is wrong with a request: "layer 2" with the key of gasLayerDiagnostics, "layers", "band",
+/// "step", "background".
+std::vector<Diagnostic> gasRequestDiagnostics(const GasRequest& request);
+
 /// What emits in layers: the gases, then soot.
 inline constexpr std::size_t gasEmitterCount = hotGasCount + 1;
 /// "CO2", ..., "soot".

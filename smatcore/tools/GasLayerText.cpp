@@ -12,37 +12,78 @@ namespace {
 using irsg::GasLayer;
 using irsg::HotGas;
 
-/// A key with the number of the layer that it names.
-struct Field {
-    const char* key;
-    bool isNeeded;
-    double& (*of)(GasLayer&);
-};
+} // namespace
 
-const std::vector<Field>& fields() {
-    static const std::vector<Field> all = {
-        {"T_K", true, [](GasLayer& l) -> double& { return l.temperature_K; }},
-        {"p_atm", true, [](GasLayer& l) -> double& { return l.pressure_atm; }},
-        {"length_m", true, [](GasLayer& l) -> double& { return l.length_m; }},
-        {"CO2", false, [](GasLayer& l) -> double& { return l.fraction(HotGas::CO2); }},
-        {"H2O", false, [](GasLayer& l) -> double& { return l.fraction(HotGas::H2O); }},
-        {"CO", false, [](GasLayer& l) -> double& { return l.fraction(HotGas::CO); }},
-        {"CH4", false, [](GasLayer& l) -> double& { return l.fraction(HotGas::CH4); }},
-        {"O2", false, [](GasLayer& l) -> double& { return l.oxygenFraction; }},
-        {"soot_ppmv", false, [](GasLayer& l) -> double& { return l.soot_ppmv; }}};
+const std::vector<GasLayerField>& gasLayerFields() {
+    static const std::vector<GasLayerField> all = {
+        {.key = "T_K",
+         .label = "Temperature",
+         .unit = "K",
+         .help = "The same all through the layer",
+         .step = 10.0,
+         .isNeeded = true,
+         .of = [](GasLayer& l) -> double& { return l.temperature_K; }},
+        {.key = "p_atm",
+         .label = "Pressure",
+         .unit = "atm",
+         .help = "Total pressure of all gases of the layer",
+         .step = 0.1,
+         .isNeeded = true,
+         .of = [](GasLayer& l) -> double& { return l.pressure_atm; }},
+        {.key = "length_m",
+         .label = "Length",
+         .unit = "m",
+         .help = "Along the line of sight",
+         .step = 0.1,
+         .isNeeded = true,
+         .of = [](GasLayer& l) -> double& { return l.length_m; }},
+        {.key = "CO2",
+         .label = "CO2",
+         .unit = "",
+         .help = "Mole fraction of carbon dioxide; the rest of the gas is nitrogen",
+         .step = 0.01,
+         .of = [](GasLayer& l) -> double& { return l.fraction(HotGas::CO2); }},
+        {.key = "H2O",
+         .label = "H2O",
+         .unit = "",
+         .help = "Mole fraction of water vapour; the rest of the gas is nitrogen",
+         .step = 0.01,
+         .of = [](GasLayer& l) -> double& { return l.fraction(HotGas::H2O); }},
+        {.key = "CO",
+         .label = "CO",
+         .unit = "",
+         .help = "Mole fraction of carbon monoxide; the rest of the gas is nitrogen",
+         .step = 0.01,
+         .of = [](GasLayer& l) -> double& { return l.fraction(HotGas::CO); }},
+        {.key = "CH4",
+         .label = "CH4",
+         .unit = "",
+         .help = "Mole fraction of methane; the rest of the gas is nitrogen",
+         .step = 0.01,
+         .of = [](GasLayer& l) -> double& { return l.fraction(HotGas::CH4); }},
+        {.key = "O2",
+         .label = "O2",
+         .unit = "",
+         .help = "Mole fraction of oxygen, which emits nothing but broadens lines",
+         .step = 0.01,
+         .of = [](GasLayer& l) -> double& { return l.oxygenFraction; }},
+        {.key = "soot_ppmv",
+         .label = "Soot",
+         .unit = "ppmv",
+         .help = "Volume fraction of soot, times 1e6",
+         .step = 0.01,
+         .of = [](GasLayer& l) -> double& { return l.soot_ppmv; }}};
     return all;
 }
 
-} // namespace
-
 GasLayer gasLayerFromText(const std::string& text, const std::string& name) {
     std::vector<NumberKey> keys;
-    for (const Field& field : fields())
+    for (const GasLayerField& field : gasLayerFields())
         keys.push_back({field.key, field.isNeeded});
     GasLayer layer;
     std::vector<irsg::Diagnostic> diagnostics =
         readKeyNumbers(text, name, keys, "T_K=700", [&](std::size_t number, double value) {
-            fields()[number].of(layer) = value;
+            gasLayerFields()[number].of(layer) = value;
         });
     if (diagnostics.empty())
         diagnostics = irsg::gasLayerDiagnostics(layer, name);
@@ -54,7 +95,7 @@ GasLayer gasLayerFromText(const std::string& text, const std::string& name) {
 std::string gasLayerText(const GasLayer& layer) {
     GasLayer copy = layer;
     std::string text;
-    for (const Field& field : fields())
+    for (const GasLayerField& field : gasLayerFields())
         if (field.isNeeded || field.of(copy) != 0.0)
             text += (text.empty() ? "" : ",") + std::string(field.key) + "=" +
                     irsg::numberText(field.of(copy));

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "irsg/atmosphere/AtmosphereSmart.h"
+#include "irsg/core/AppendUnique.h"
 #include "irsg/core/ProgramVersion.h"
 #include "irsg/core/Quantity.h"
 #include "irsg/gas/GasThroughAir.h"
@@ -31,6 +32,7 @@ class Output {
             askAtmosphere();
         fillTable();
         summarise();
+        nameSources();
         writeProvenance();
         return std::move(result_);
     }
@@ -164,13 +166,28 @@ class Output {
         if (request_.gas.source != irsg::GasSource::radcal) {
             irsg::GasRequest other = request_.gas;
             other.source = irsg::GasSource::radcal;
-            add("band_radiance_source_radcal", irsg::gasSpectrum(other).bandRadiance_W_m2_sr(),
-                unit);
+            const GasSpectrum radcal = irsg::gasSpectrum(other);
+            add("band_radiance_source_radcal", radcal.bandRadiance_W_m2_sr(), unit);
+            for (std::size_t i = 0; i < radcal.cells.size(); ++i)
+                result_.radcal_W_m2_sr_um.push_back(radcal.cells[i].radiance_W_m2_sr_um *
+                                                    before(i));
         }
         if (request_.path) {
             add("band_radiance_product", integral("spectral_radiance_product"), unit);
             add("band_radiance_source", integral("spectral_radiance_source"), unit);
             add("band_path_radiance", integral("path_radiance"), unit);
+        }
+    }
+
+    void nameSources() {
+        for (std::size_t g = 0; g < irsg::hotGasCount; ++g) {
+            std::vector<std::string> words;
+            for (const GasSpectrum::Cell& cell : spectrum_.cells)
+                if (isThere(g))
+                    irsg::appendUnique(
+                        words, irsg::gasSourceNames[static_cast<std::size_t>(
+                                   spectrum_.answers[g].at(cell.wavenumber_per_cm).source)]);
+            result_.answeredBy[g] = fmt::format("{}", fmt::join(words, ", "));
         }
     }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,6 +34,12 @@ struct GasOutput {
     ResultTable table;
     std::vector<SummaryItem> summary; ///< band radiance, its error, transmittance, parts, RADCAL's
     std::vector<std::string> warnings;
+    /// Spectral radiance of the same rows by RADCAL's tables, W m-2 sr-1 um-1; empty where they are
+    /// the source of the table.
+    std::vector<double> radcal_W_m2_sr_um;
+    /// Words of the sources that answered for each gas in the band, "lines" or "lines, radcal"; ""
+    /// for a gas that is not there.
+    std::array<std::string, irsg::hotGasCount> answeredBy;
 };
 
 /// Spectrum of layers of gas with its band numbers and who answered in the provenance. The radiance

@@ -10,6 +10,7 @@
 #include "irsg/core/FileReplacement.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/signature/SignatureFile.h"
+#include "smatcore/tools/GasEntries.h"
 
 namespace smat {
 
@@ -62,20 +63,6 @@ class ObjectText {
     std::string text_;
 };
 
-irsg::Material materialOf(const irsg::GasLayer& gas, const std::string& name) {
-    irsg::Material material;
-    material.name = name;
-    material.gasPressure_atm = gas.pressure_atm;
-    material.gasCO2 = gas.fraction(irsg::HotGas::CO2);
-    material.gasH2O = gas.fraction(irsg::HotGas::H2O);
-    material.gasCO = gas.fraction(irsg::HotGas::CO);
-    material.gasCH4 = gas.fraction(irsg::HotGas::CH4);
-    material.gasO2 = gas.oxygenFraction;
-    material.gasSoot_ppmv = gas.soot_ppmv;
-    material.notes = "mean of the plume's nodes in this zone, weighted with what they emit";
-    return material;
-}
-
 /// Moves flat ends inwards, at most half of the way to the next ring.
 void insetEnds(std::vector<std::array<double, 2>>& outline, double by_m) {
     const std::size_t last = outline.size() - 1;
@@ -107,7 +94,10 @@ void fill(PlumeModel& plume, const PlumeRequest& request) {
         temperature.notes =
             "mean of the plume's nodes from " + irsg::numberText(std::round(zone.from_K)) + " K on";
         plume.database.temperatures.emplace(index, std::move(temperature));
-        plume.database.materials.emplace(index, materialOf(zone.gas, name));
+        plume.database.materials.emplace(
+            index, gasMaterial(zone.gas, name,
+                               "mean of the plume's nodes in this zone, weighted with what they "
+                               "emit"));
     }
     plume.database.title = "plume";
     plume.object = object.text();
