@@ -118,9 +118,7 @@ class GasCommand {
 } // namespace
 
 void addGasCommand(CLI::App& app, Context& context) {
-    addCommand<GasCommand>(
-        app, context, "gas",
-        "Spectrum and band radiance of layers of hot gas, through an atmosphere");
+    addCommand<GasCommand>(app, context, AnalysisKind::gas);
 }
 
 } // namespace smat::batch

@@ -18,7 +18,6 @@
 #include "gui/widgets/RefusedText.h"
 #include "gui/widgets/Sentences.h"
 #include "gui/widgets/Theme.h"
-#include "gui/widgets/ThemeColors.h"
 #include "irsg/atmosphere/SmartParameterText.h"
 #include "irsg/core/Errors.h"
 
@@ -288,13 +287,8 @@ void ParameterForm::chooseFile(const Field& field) {
 }
 
 void ParameterForm::mark(const Field& field, const QString& problem) {
-    if (field.text != nullptr) {
-        QPalette colours;
-        if (!problem.isEmpty())
-            colours.setColor(QPalette::Base, colors::wrongField(colours));
-        field.text->setPalette(colours);
-        field.text->setToolTip(problem.isEmpty() ? helpText(*field.parameter) : problem);
-    }
+    if (field.text != nullptr)
+        markField(*field.text, problem, helpText(*field.parameter));
     if (problem == problem_)
         return;
     problem_ = problem;

@@ -10,6 +10,7 @@
 
 #include "gui/atmosphere/AtmosphereDocument.h"
 #include "gui/atmosphere/AtmospherePages.h"
+#include "gui/widgets/FileFilters.h"
 #include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Sentences.h"
 #include "gui/widgets/ThemeColors.h"
@@ -201,10 +202,7 @@ void ProjectAtmospherePage::move(int by) {
 }
 
 void ProjectAtmospherePage::add() {
-    const QString file = dialogs_.openFile(
-        this, tr("Add an atmosphere"),
-        {tr("Atmospheres (*.xml *.csv *.smatatm *.json *tape7* *.fl7 *.tp7 *.scn)"),
-         tr("All files (*)")});
+    const QString file = dialogs_.openFile(this, tr("Add an atmosphere"), atmosphereFilters());
     if (file.isEmpty())
         return;
     list_->addItem(file);

@@ -105,7 +105,7 @@ AtmosphereToolPage::AtmosphereToolPage(Workbench& workbench, Dialogs dialogs, QW
     connect(&calculation_, &Calculation::started, this, &AtmosphereToolPage::refreshButtons);
     connect(&calculation_, &Calculation::ended, this, &AtmosphereToolPage::refreshButtons);
     connect(&calculation_, &Calculation::refused, this, [this](const QStringList& sentences) {
-        dialogs_.tell(this, tr("The atmosphere gives no values here"), sentences);
+        dialogs_.tell(this, refusalTitle(), sentences);
     });
     tick_.setInterval(100);
     connect(&tick_, &QTimer::timeout, this, &AtmosphereToolPage::tellElapsed);
@@ -176,10 +176,6 @@ void AtmosphereToolPage::tellElapsed() {
 
 void AtmosphereToolPage::showTable(const ResultTable& table, const QString& title,
                                    const QString& figures) {
-    table_ = table;
-    title_ = title;
-    figures_->setText(figures);
-    figures_->setVisible(!figures.isEmpty());
     AnalysisData data;
     data.kind = resultKindOf(table.provenance);
     data.table = table;
@@ -187,10 +183,22 @@ void AtmosphereToolPage::showTable(const ResultTable& table, const QString& titl
     entry.title = title;
     entry.origin = ResultEntry::Origin::tool;
     entry.data = std::make_shared<const AnalysisData>(std::move(data));
-    delete page_;
-    page_ = new ResultPage({entry}, dialogs_);
+    showTableOn(*new ResultPage({entry}, dialogs_), table, title, figures);
+}
+
+void AtmosphereToolPage::take(QWidget& answer, const Exportable& content, const ResultTable& table,
+                              const QString& title, const QString& figures) {
+    table_ = table;
+    title_ = title;
+    figures_->setText(figures);
+    figures_->setVisible(!figures.isEmpty());
+    if (shown_ != &answer)
+        delete shown_;
+    shown_ = &answer;
+    content_ = &content;
     empty_->hide();
-    answer_->addWidget(page_);
+    answer_->addWidget(shown_);
+    shown_->show();
     refreshButtons();
 }
 
@@ -200,14 +208,18 @@ void AtmosphereToolPage::keep() {
 }
 
 QStringList AtmosphereToolPage::exportFilters() const {
-    if (page_ == nullptr)
+    if (content_ == nullptr)
         return {};
     return {tr("Values as text (*.csv)"), tr("All inputs and values (*.json)"),
             tr("Scalable picture (*.svg)"), tr("PDF (*.pdf)"), tr("Picture (*.png)")};
 }
 
 void AtmosphereToolPage::exportTo(const std::filesystem::path& file) const {
-    page_->exportTo(file);
+    const std::string suffix = file.extension().string();
+    if (suffix == ".csv" || suffix == ".json")
+        table_.save(file);
+    else
+        content_->exportTo(file);
 }
 
 } // namespace smat::gui

@@ -17,12 +17,11 @@ class QVBoxLayout;
 
 namespace smat::gui {
 
-class ResultPage;
 class Workbench;
 
-/// A tool that asks the air of the project something: inputs and buttons on the left, the answer as
-/// a plot on the right. It computes in a thread of its own, shows the command line that does the
-/// same, saves the answer with its provenance and keeps it among the results.
+/// A tool that asks the air of the project, or a gas, something: inputs and buttons on the left,
+/// the answer as a plot on the right. It computes in a thread of its own, shows the command line
+/// that does the same, saves the answer with its provenance and keeps it among the results.
 class AtmosphereToolPage : public QWidget, public Exportable {
     Q_OBJECT
 
@@ -45,7 +44,15 @@ class AtmosphereToolPage : public QWidget, public Exportable {
     /// To be called when an input changes: what is wrong now, or nothing.
     void setProblems(const QStringList& problems);
     void setCommand(const QString& command);
+    /// On a page of results.
     void showTable(const ResultTable& table, const QString& title, const QString& figures);
+    /// On a widget that exports what it shows; the one before is deleted where it is another.
+    template <typename Answer>
+    void showTableOn(Answer& answer, const ResultTable& table, const QString& title,
+                     const QString& figures) {
+        take(answer, answer, table, title, figures);
+    }
+    const QString& title() const { return title_; }
     Workbench& workbench() const { return workbench_; }
     const Dialogs& dialogs() const { return dialogs_; }
     /// The files that the project names as its air, as a label says it.
@@ -53,8 +60,12 @@ class AtmosphereToolPage : public QWidget, public Exportable {
 
     /// What is computed; captures values alone.
     virtual Calculation::Work work() = 0;
+    /// The title of what is said where it cannot be computed.
+    virtual QString refusalTitle() const { return tr("The atmosphere gives no values here"); }
 
   private:
+    void take(QWidget& answer, const Exportable& content, const ResultTable& table,
+              const QString& title, const QString& figures);
     void keep();
     void refreshButtons();
     void tellElapsed();
@@ -75,7 +86,8 @@ class AtmosphereToolPage : public QWidget, public Exportable {
     QProgressBar* busy_ = nullptr;
     QLabel* elapsed_ = nullptr;
     std::vector<QPushButton*> needAnswer_;
-    ResultPage* page_ = nullptr;
+    QWidget* shown_ = nullptr;            ///< the answer
+    const Exportable* content_ = nullptr; ///< the same
     bool inputsRight_ = true;
     QTimer tick_;             ///< while it computes
     Calculation calculation_; ///< last: nothing of it is heard once the rest goes

@@ -9,6 +9,7 @@
 
 #include "gui/tools/CostAccuracyPage.h"
 #include "gui/tools/DetectionPage.h"
+#include "gui/tools/GasPage.h"
 #include "gui/tools/MonteCarloPage.h"
 #include "gui/tools/RadiativePage.h"
 #include "gui/tools/SensorPage.h"
@@ -39,6 +40,7 @@ constexpr std::array pages = {
               made<RadiativePage>},
     MenuEntry{"temperature-profile", "temperatureProfile", QT_TR_NOOP("&Temperature profile…"),
               true, made<TemperatureProfilePage>},
+    MenuEntry{"gas", "hotGas", QT_TR_NOOP("Hot &gas…"), false, made<GasPage>},
     MenuEntry{"detection", "detectionRange", QT_TR_NOOP("&Detection range…"), false,
               made<DetectionPage>},
     MenuEntry{"sensor", "sensorChain", QT_TR_NOOP("&Sensor chain…"), false, made<SensorPage>},

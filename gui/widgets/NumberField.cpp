@@ -43,6 +43,8 @@ void NumberField::onText(const QString& text) {
     const auto number = typed.value;
     if (!number)
         return mark(typed.problem);
+    if (const QString problem = check_ ? check_(*number) : QString(); !problem.isEmpty())
+        return mark(problem);
     if (*number < minimum_ || *number > maximum_) {
         if (maximum_ == std::numeric_limits<double>::infinity())
             return mark(tr("has to be at least %1 %2").arg(textOf(minimum_), unit_).trimmed());

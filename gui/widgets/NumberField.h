@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <optional>
 
@@ -19,11 +20,16 @@ class NumberField : public QLineEdit {
     explicit NumberField(const QString& unit, QWidget* parent = nullptr);
 
     void setRange(double minimum, double maximum);
+    /// The sentence why a number cannot stand, empty where it can: asked before the range.
+    using Check = std::function<QString(double value)>;
+    void setCheck(Check check) { check_ = std::move(check); }
     void setStep(double step) { step_ = step; }
     /// Leaves the text alone where it says this already.
     void setValue(double value);
     double value() const { return value_; }
     bool isRight() const { return problem_.isEmpty(); }
+    /// Why what is typed cannot stand; empty where it can.
+    const QString& problem() const { return problem_; }
 
   signals:
     /// By the user, a number within the range.
@@ -45,6 +51,7 @@ class NumberField : public QLineEdit {
     }
 
     QString unit_, help_, problem_;
+    Check check_;
     double minimum_ = -std::numeric_limits<double>::infinity();
     double maximum_ = std::numeric_limits<double>::infinity();
     double step_ = 1.0, value_ = 0.0;

@@ -1,8 +1,10 @@
 #include "gui/widgets/RefusedText.h"
 
 #include <QCoreApplication>
+#include <QLineEdit>
 #include <QToolTip>
-#include <QWidget>
+
+#include "gui/widgets/ThemeColors.h"
 
 namespace smat::gui {
 
@@ -12,6 +14,14 @@ void sayRefused(QWidget& field, const QString& problem, const QString& stays) {
     field.setProperty("refused", sentence);
     if (field.isVisible())
         QToolTip::showText(field.mapToGlobal(QPoint(0, field.height())), sentence, &field);
+}
+
+void markField(QLineEdit& field, const QString& problem, const QString& help) {
+    QPalette colours;
+    if (!problem.isEmpty())
+        colours.setColor(QPalette::Base, colors::wrongField(colours));
+    field.setPalette(colours);
+    field.setToolTip(problem.isEmpty() ? help : problem);
 }
 
 } // namespace smat::gui

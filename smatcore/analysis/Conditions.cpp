@@ -111,6 +111,31 @@ Settings settingsOf(const ResultTable& table) {
     return settings;
 }
 
+namespace {
+
+/// Band and path of a spectrum of hot gas, which knows nothing of a project.
+std::vector<Condition> conditionsOfGas(const ResultTable& table) {
+    const Provenance& said = table.provenance;
+    ResultTable asSettings;
+    const auto put = [&](const std::string& key, const char* name) {
+        if (const std::string value = said.value(name); !value.empty())
+            asSettings.provenance.add(key, value);
+    };
+    put(key::sensorBand, "band");
+    put(key::cameraRange, "range [m]");
+    put(key::targetAltitude, "gas_altitude [m]");
+    const Settings settings = settingsOf(asSettings);
+    std::vector<Condition> list{{key::sensorBand, bandOf(settings)}};
+    for (const RealKey key : {key::cameraRange, key::targetAltitude})
+        if (settings.isSet(key))
+            list.push_back({key, settingWords(settings, key)});
+    if (const std::string atmosphere = said.value("atmosphere"); !atmosphere.empty())
+        list.push_back({key::environmentAtmospheres, atmosphere});
+    return list;
+}
+
+} // namespace
+
 std::vector<Condition> conditionsOf(const ResultTable& table) {
     const std::string analysis = table.provenance.value("analysis");
     if (analysis.empty())
@@ -127,6 +152,8 @@ std::vector<Condition> conditionsOf(const ResultTable& table) {
             return {};
         return {{key::environmentAtmospheres, air}};
     }
+    if (analysis == name(AnalysisKind::gas))
+        return conditionsOfGas(table);
     return conditions(settingsOf(table), &table);
 }
 

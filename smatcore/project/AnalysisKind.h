@@ -15,7 +15,7 @@ class AnalysisKind {
     /// Those that other parts of the program ask for by name; allAnalysisKinds() has them all.
     static const AnalysisKind image, spectrum, polar, time, range, table;
     /// Tables that are not planned as analyses are: those of tools, and any other.
-    static const AnalysisKind radiative, temperatureProfile, monteCarlo, simulation, other;
+    static const AnalysisKind radiative, temperatureProfile, gas, monteCarlo, simulation, other;
 
     constexpr explicit AnalysisKind(const AnalysisDefinition& definition)
         : definition_(&definition) {}

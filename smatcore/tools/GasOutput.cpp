@@ -11,6 +11,7 @@
 #include "irsg/gas/GasThroughAir.h"
 #include "irsg/radiometry/Spectrum.h"
 #include "irsg/radiometry/Units.h"
+#include "smatcore/project/AnalysisKind.h"
 #include "smatcore/tools/GasLayerText.h"
 
 namespace smat {
@@ -194,7 +195,7 @@ class Output {
     void writeProvenance() {
         Provenance& provenance = result_.table.provenance;
         provenance.add("program", irsg::programWithVersion());
-        provenance.add("analysis", "gas");
+        provenance.add("analysis", name(AnalysisKind::gas));
         if (!request_.commandLine.empty())
             provenance.add("command", request_.commandLine);
         for (const irsg::GasLayer& layer : request_.gas.layers)

@@ -83,6 +83,14 @@ TEST(ConditionsTest, OfAToolThatAsksTheAirAloneAreThatAir) {
     radiative.provenance.add("analysis", name(AnalysisKind::radiative));
     radiative.provenance.add("atmosphere", "AtmosphereSmart (sea.xml)");
     EXPECT_EQ(lineOf(conditionsOf(radiative)), "AtmosphereSmart (sea.xml)");
+    ResultTable gas;
+    gas.provenance.add("analysis", name(AnalysisKind::gas));
+    gas.provenance.add("band", "4.2-4.5 um");
+    EXPECT_EQ(lineOf(conditionsOf(gas)), "4.2-4.5 µm");
+    gas.provenance.add("atmosphere", "haze");
+    gas.provenance.add("gas_altitude [m]", "20");
+    gas.provenance.add("range [m]", "1500");
+    EXPECT_EQ(lineOf(conditionsOf(gas)), "4.2-4.5 µm · range 1500 m · altitude 20 m · haze");
 }
 
 TEST(ConditionsTest, OfSeveralResultsAreThoseTheyShare) {

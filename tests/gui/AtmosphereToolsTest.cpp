@@ -92,7 +92,7 @@ TEST_F(AtmosphereToolsTest, AreInTheMenuAsTheRegistryHasThem) {
         }
     }
     EXPECT_EQ(shown, expected);
-    EXPECT_EQ(shown.size(), 6);
+    EXPECT_EQ(shown.size(), 7);
 }
 
 TEST_F(AtmosphereToolsTest, RadiativeOutputEqualsTheCommandLine) {

@@ -12,6 +12,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QPointer>
+#include <QPushButton>
 #include <QTabWidget>
 #include <QToolButton>
 
@@ -260,6 +261,8 @@ class KeyboardWalkTest : public test::WindowFixture {
         std::ofstream(chosen.toStdString()) << "um,emissivity\n3,0.9\n5,0.8\n";
         window->findChild<QAction*>("menuImportMaterial")->trigger();
         chosen.clear();
+        trigger("hotGas");
+        tabs().currentWidget()->findChild<QPushButton*>("addToDatabase")->click();
         auto* results = window->findChild<ResultsDock*>();
         results->raise();
         auto* list = results->findChild<QListWidget*>("resultList");

@@ -49,8 +49,9 @@ class WindowLayoutTest : public test::WindowFixture {
         EXPECT_TRUE(faults.isEmpty()) << page << ":\n" << faults.join('\n').toStdString();
     }
     void lookAtTools() {
-        for (const char* tool : {"radiativeOutput", "temperatureProfile", "detectionRange",
-                                 "sensorChain", "monteCarlo", "frontier", "newAir", "projectAir"}) {
+        for (const char* tool :
+             {"radiativeOutput", "temperatureProfile", "hotGas", "detectionRange", "sensorChain",
+              "monteCarlo", "frontier", "newAir", "projectAir"}) {
             trigger(tool);
             look(tool);
         }

@@ -73,13 +73,13 @@ class UserGuideTest : public test::WindowFixture {
                                  "preferences",      "options",
                                  "analysisSettings", "compareImages",
                                  "radiativeOutput",  "temperatureProfile",
-                                 "newAir",           "projectAir",
-                                 "importAir",        "detectionRange",
-                                 "sensorChain",      "monteCarlo",
-                                 "frontier",         "menuLibrary",
-                                 "showShortcuts",    "findCommand",
-                                 "selfTest",         "showAbout",
-                                 "keepState"}) {
+                                 "hotGas",           "newAir",
+                                 "projectAir",       "importAir",
+                                 "detectionRange",   "sensorChain",
+                                 "monteCarlo",       "frontier",
+                                 "menuLibrary",      "showShortcuts",
+                                 "findCommand",      "selfTest",
+                                 "showAbout",        "keepState"}) {
             trigger(name);
         }
         auto* tabs = window->findChild<QTabWidget*>("tabs");

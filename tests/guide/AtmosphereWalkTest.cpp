@@ -6,6 +6,10 @@
 #include "gui/atmosphere/AtmosphereRecovery.h"
 #include "gui/atmosphere/ImportAtmosphereDialog.h"
 #include "gui/atmosphere/ProjectAtmospherePage.h"
+#include "gui/plot/CartesianPlot.h"
+#include "gui/plot/PlotPanel.h"
+#include "gui/tools/GasPage.h"
+#include "gui/tools/GasPlot.h"
 #include "gui/tools/RadiativePage.h"
 #include "gui/tools/TemperatureProfilePage.h"
 #include "smatcore/analysis/ResultFile.h"
@@ -348,6 +352,109 @@ TEST_F(AtmosphereWalkTest, ResultsOfModtranAndTemperatureProfile) {
         const char* file = std::string(name) == "radiativeOutput" ? "radiative.csv" : "profile.csv";
         EXPECT_EQ(ResultTable::load(folder / file).columns(), same->table().columns()) << name;
     }
+}
+
+TEST_F(AtmosphereWalkTest, HotGas) {
+    test::GuideWalk walk("air", "Hot gas");
+    walk.step(
+        "Tools → Hot gas… computes spectrum and band radiance of layers of combustion gas, as "
+        "smat-batch gas does. It needs no project.");
+    act("hotGas");
+    auto* tool = page<GasPage>();
+    ASSERT_NE(tool, nullptr);
+    compute(*tool);
+    terminal(get<QLineEdit>("commandLine", tool)->text().toStdString());
+    EXPECT_EQ(ResultTable::load(folder / "gas.csv").columns(), tool->table().columns());
+    openHaze();
+    act("hotGas");
+    tool = page<GasPage>();
+
+    walk.step(
+        "The list has the layers in order from the sensor, the fields below it the numbers "
+        "of the chosen layer. The buttons above the list add a layer behind it, remove it and "
+        "move it towards the sensor or away from it. What a layer cannot be is marked at its "
+        "field with the reason, and discarded when you leave the field.");
+    const auto temperatures_K = [&] {
+        std::vector<double> all;
+        for (const irsg::GasLayer& layer : tool->input().gas.layers) {
+            all.push_back(layer.temperature_K);
+        }
+        return all;
+    };
+    get<QToolButton>("addLayer", tool)->click();
+    auto* temperature = get<QLineEdit>("T_K", tool);
+    write(temperature, "400");
+    EXPECT_EQ(temperatures_K(), (std::vector{700.0, 400.0}));
+    get<QToolButton>("layerUp", tool)->click();
+    EXPECT_EQ(temperatures_K(), (std::vector{400.0, 700.0}));
+    get<QToolButton>("layerDown", tool)->click();
+    get<QToolButton>("removeLayer", tool)->click();
+    EXPECT_EQ(temperatures_K(), (std::vector{700.0}));
+    temperature->selectAll();
+    QTest::keyClicks(temperature, "70");
+    EXPECT_TRUE(temperature->toolTip().contains("250 to 3000 K"));
+    QTest::keyClick(temperature, Qt::Key_Return);
+    EXPECT_EQ(temperatures_K(), (std::vector{700.0}));
+
+    walk.step("Black body behind gives the background a temperature. Atmosphere is none, that of "
+              "the project (its files alone, not its sun and bins) or a file; with one, Altitude "
+              "and Range give the path, and Sensor "
+              "altitude where the sensor is not as high as the gas. Take from the project fills in "
+              "band, atmosphere, altitude and range.");
+    get<QCheckBox>("hasBackground", tool)->click();
+    write(get<QLineEdit>("background", tool), "290");
+    EXPECT_EQ(tool->input().gas.background_K, 290.0);
+    choose(get<QComboBox>("gasAtmosphere", tool), 0);
+    EXPECT_TRUE(tool->input().atmosphere.empty());
+    write(get<QLineEdit>("gasBand", tool), "4-5");
+    get<QPushButton>("takeFromProject", tool)->click();
+    EXPECT_EQ(tool->input().atmosphere.size(), 1U);
+    EXPECT_EQ(tool->input().altitude_m, 1000.0);
+    EXPECT_EQ(tool->input().range_m, 500.0);
+    EXPECT_EQ(tool->input().gas.band.min_um, 3.0);
+    get<QCheckBox>("hasSensorAltitude", tool)->click();
+    write(get<QLineEdit>("--sensor-altitude", tool), "1100");
+    EXPECT_EQ(tool->input().sensorAltitude_m, 1100.0);
+
+    walk.step("Compute plots the spectral radiance with its stated error. Tick What each gas adds, "
+              "RADCAL and, with an atmosphere, Product of means to see them in the "
+              "same plot, or choose Transmittance. The numbers of the band, and whose tables gave "
+              "them, are below the buttons. File → Export… writes the same file as the command.");
+    compute(*tool);
+    const auto curves = [&] { return tool->plot().plot().cartesian()->data().curves.size(); };
+    EXPECT_EQ(curves(), 1U);
+    for (const char* one : {"gasParts", "gasRadcal", "gasProduct"}) {
+        get<QCheckBox>(one, tool)->click();
+    }
+    EXPECT_EQ(curves(), 5U); // two gases
+    choose(get<QComboBox>("quantity", tool), 1);
+    EXPECT_EQ(curves(), 3U);
+    EXPECT_TRUE(get<QLabel>("figures", tool)->text().contains("by lines"));
+    chosen = path("exported.csv");
+    act("exportShown");
+    terminal(get<QLineEdit>("commandLine", tool)->text().toStdString());
+    EXPECT_EQ(smat::test::withoutCommand(folder / "exported.csv"),
+              smat::test::withoutCommand(folder / "gas.csv"));
+
+    walk.step("Add to database… adds the chosen layer to the signature database as a gas zone, a "
+              "material and a temperature, or the spectrum of a layer or of all layers as a "
+              "user-defined spectrum, with a temperature that emits it and a material of its "
+              "transmittance. Free indices are offered; it is one step of Edit → Undo.");
+    const irsg::SignatureDatabase before = session().value();
+    for (const int what : {0, 1}) {
+        onDialog = [&](QDialog& dialog) {
+            dialog.findChild<QComboBox*>("gasEntryWhat")->setCurrentIndex(what);
+        };
+        get<QPushButton>("addToDatabase", tool)->click();
+        ASSERT_TRUE(test::waitUntil([&] { return !tool->isAdding(); }));
+        EXPECT_EQ(session().value().materials.size(), before.materials.size() + 1) << said();
+        EXPECT_EQ(session().value().temperatures.size(), before.temperatures.size() + 1);
+        EXPECT_EQ(session().value().spectra.size(),
+                  before.spectra.size() + static_cast<std::size_t>(what));
+        act("undo");
+        EXPECT_TRUE(session().value() == before);
+    }
+    onDialog = nullptr;
 }
 
 } // namespace

@@ -21,6 +21,7 @@
 #include "gui/plot/PolarPlot.h"
 #include "gui/tools/AtmosphereToolPage.h"
 #include "gui/tools/DetectionPage.h"
+#include "gui/tools/GasPage.h"
 #include "gui/tools/MonteCarloPage.h"
 #include "smatcore/settings/SettingKeys.h"
 #include "tools/screenshots/ScreenshotTaker.h"
@@ -44,6 +45,9 @@ Widget* shown(QWidget& within, const char* name) {
 } // namespace
 
 void ScreenshotTaker::fill(QWidget* page) {
+    if (dynamic_cast<GasPage*>(page) != nullptr)
+        for (const char* beside : {"gasParts", "gasProduct"})
+            page->findChild<QCheckBox*>(beside)->setChecked(true);
     if (auto* tool = dynamic_cast<AtmosphereToolPage*>(page)) {
         tool->compute();
         waitWhile([tool] { return tool->isRunning(); });

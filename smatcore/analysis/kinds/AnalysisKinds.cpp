@@ -7,7 +7,7 @@
 namespace smat {
 
 extern const AnalysisDefinition imageAnalysis, spectrumAnalysis, polarAnalysis, timeAnalysis,
-    rangeAnalysis, tableAnalysis, radiativeTool, temperatureProfileTool, monteCarloTool,
+    rangeAnalysis, tableAnalysis, radiativeTool, temperatureProfileTool, gasTool, monteCarloTool,
     simulationTool, otherTable;
 
 constinit const AnalysisKind AnalysisKind::image(imageAnalysis);
@@ -18,6 +18,7 @@ constinit const AnalysisKind AnalysisKind::range(rangeAnalysis);
 constinit const AnalysisKind AnalysisKind::table(tableAnalysis);
 constinit const AnalysisKind AnalysisKind::radiative(radiativeTool);
 constinit const AnalysisKind AnalysisKind::temperatureProfile(temperatureProfileTool);
+constinit const AnalysisKind AnalysisKind::gas(gasTool);
 constinit const AnalysisKind AnalysisKind::monteCarlo(monteCarloTool);
 constinit const AnalysisKind AnalysisKind::simulation(simulationTool);
 constinit const AnalysisKind AnalysisKind::other(otherTable);

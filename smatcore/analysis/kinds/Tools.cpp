@@ -21,6 +21,13 @@ extern constinit const AnalysisDefinition temperatureProfileTool{
     .icon = "thermometer",
     .form = AnalysisForm::table};
 
+extern constinit const AnalysisDefinition gasTool{
+    .name = "gas",
+    .title = "Hot gas",
+    .help = "Spectrum and band radiance of layers of hot gas, through an atmosphere",
+    .icon = "hot-gas",
+    .form = AnalysisForm::table};
+
 extern constinit const AnalysisDefinition monteCarloTool{
     .name = "montecarlo",
     .title = "Monte Carlo",
