@@ -20,8 +20,9 @@ constexpr double closest = 5e-4; ///< of a line: columns that leave less are eno
 /// Lines count by their relative error, down to this part of the strongest.
 constexpr double faint = 0.02;
 constexpr double ridge = 1e-5;
-constexpr std::size_t mostFronts = 10;
+constexpr std::size_t mostFronts = 14;
 constexpr double closestFronts = 2e-4; ///< of 1, rms over wavenumbers
+constexpr std::size_t mostReflectionFronts = 10;
 constexpr std::size_t mostPlaces = 24, mostStrengths = 48;
 /// Of the mean absorption at a place: of strong lines and of what lies between them.
 constexpr std::array<double, 4> strengthsOfPlace = {0.1, 0.5, 2.0, 10.0};
@@ -280,7 +281,14 @@ void GasColumnBasis::weightsOf(const Line& line, std::span<double> weights) cons
 void GasColumnBasis::frontWeightsOf(std::span<const double> values,
                                     std::span<double> fronts) const {
     std::ranges::fill(fronts, 0.0);
-    addMapped(values.data(), values.size(), frontMap_.data(), fronts.size(), fronts.data());
+    addMapped(values.data(), values.size(), fronts_.map.data(), fronts.size(), fronts.data());
+}
+
+void GasColumnBasis::reflectionFrontWeightsOf(std::span<const double> values,
+                                              std::span<double> fronts) const {
+    std::ranges::fill(fronts, 0.0);
+    addMapped(values.data(), values.size(), reflectionFronts_.map.data(), fronts.size(),
+              fronts.data());
 }
 
 GasColumnBasis::GasColumnBasis(const std::vector<GasLayer>& gases,
@@ -305,7 +313,6 @@ void GasColumnBasis::take(const Fit& fit) {
         return; // nothing absorbs here
     for (const std::size_t pivot : pivots)
         columns_.push_back(fit.lines()[pivot]);
-    const std::vector<double> frontsOfColumns = takeFronts(fit, pivots);
 
     // Strengths of absorption: all that may count, then those that differ.
     const std::vector<std::vector<double>> absorption_per_m = fit.absorption_per_m();
@@ -368,10 +375,13 @@ void GasColumnBasis::take(const Fit& fit) {
     for (std::size_t i = 0; i < map.rows(); ++i)
         for (std::size_t k = 0; k < map.columns(); ++k)
             map_.push_back(map.at(i, k));
-    frontMap_.assign(map.rows() * fronts_.size(), 0.0);
-    for (std::size_t i = 0; i < map.rows(); ++i)
-        addMapped(&map_[i * columns_.size()], columns_.size(), frontsOfColumns.data(),
-                  fronts_.size(), &frontMap_[i * fronts_.size()]);
+    std::vector<std::vector<double>> stopped; // by column
+    for (const std::size_t pivot : pivots) {
+        const std::vector<double>& done = fit.done()[pivot];
+        stopped.emplace_back(done.begin() + static_cast<std::ptrdiff_t>(fit.places()), done.end());
+    }
+    fronts_ = frontsOf(stopped, mostFronts, closestFronts);
+    reflectionFronts_ = frontsOf(stopped, mostReflectionFronts, closestFronts);
 
     // Lines that were kept out tell the error.
     const std::vector<std::vector<double>> truths = fit.doneBy(fit.others());
@@ -393,27 +403,28 @@ void GasColumnBasis::take(const Fit& fit) {
     }
 }
 
-std::vector<double> GasColumnBasis::takeFronts(const Fit& fit,
-                                               const std::vector<std::size_t>& columns) {
-    const std::size_t places = fit.places();
-    std::vector<std::vector<double>> stopped; // by column
-    for (const std::size_t column : columns) {
-        const std::vector<double>& done = fit.done()[column];
-        stopped.emplace_back(done.begin() + static_cast<std::ptrdiff_t>(places), done.end());
-    }
-    fronts_ =
-        irsg::pivots(stopped, mostFronts, closestFronts * std::sqrt(static_cast<double>(places)));
-    ColumnMatrix ofFronts(places, fronts_.size()), ofColumns(places, columns.size());
-    for (std::size_t m = 0; m < fronts_.size(); ++m)
-        std::ranges::copy(stopped[fronts_[m]], ofFronts.column(m));
-    for (std::size_t k = 0; k < columns.size(); ++k)
+GasColumnBasis::Fronts GasColumnBasis::frontsOf(const std::vector<std::vector<double>>& stopped,
+                                                std::size_t most, double closest) const {
+    const std::size_t places = stopped.front().size();
+    Fronts fronts{irsg::pivots(stopped, most, closest * std::sqrt(static_cast<double>(places))),
+                  {}};
+    const std::size_t count = fronts.columns.size();
+    ColumnMatrix ofFronts(places, count), ofColumns(places, stopped.size());
+    for (std::size_t m = 0; m < count; ++m)
+        std::ranges::copy(stopped[fronts.columns[m]], ofFronts.column(m));
+    for (std::size_t k = 0; k < stopped.size(); ++k)
         std::ranges::copy(stopped[k], ofColumns.column(k));
-    const ColumnMatrix map = leastSquares(ofFronts, ofColumns, ridge);
+    const ColumnMatrix best = leastSquares(ofFronts, ofColumns, ridge);
     std::vector<double> byColumn;
-    for (std::size_t k = 0; k < columns.size(); ++k)
-        for (std::size_t m = 0; m < fronts_.size(); ++m)
-            byColumn.push_back(map.at(m, k));
-    return byColumn;
+    for (std::size_t k = 0; k < stopped.size(); ++k)
+        for (std::size_t m = 0; m < count; ++m)
+            byColumn.push_back(best.at(m, k));
+    const std::size_t values = map_.size() / stopped.size();
+    fronts.map.assign(values * count, 0.0);
+    for (std::size_t i = 0; i < values; ++i)
+        addMapped(&map_[i * stopped.size()], stopped.size(), byColumn.data(), count,
+                  &fronts.map[i * count]);
+    return fronts;
 }
 
 } // namespace irsg

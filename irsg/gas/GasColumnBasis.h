@@ -29,8 +29,11 @@ class GasColumnBasis {
 
     const std::vector<GasLine>& columns() const { return columns_; }
     /// Columns, by number, whose weighted sums stand for what all columns let through of surfaces
-    /// behind the gas: within 0.02 % of 1, rms over wavenumbers, or 10 of them.
-    const std::vector<std::size_t>& fronts() const { return fronts_; }
+    /// behind the gas: within 0.02 % of 1, rms over wavenumbers, or 14 of them.
+    const std::vector<std::size_t>& fronts() const { return fronts_.columns; }
+    /// The first 10 of them at most, for what those surfaces reflect of others, which costs most.
+    /// Fewer would show: surfaces of the gas's temperature would not be black any more.
+    std::span<const std::size_t> reflectionFronts() const { return reflectionFronts_.columns; }
 
     /// What the lines that were kept out emit as weighted sums, compared with themselves: over all
     /// wavenumbers, relative to the mean of their radiances. Of no lines 0.
@@ -61,22 +64,27 @@ class GasColumnBasis {
     void weightsOf(const Line& line, std::span<double> weights) const;
     /// By front, of the values of a line; no gas has the rest, likewise.
     void frontWeightsOf(std::span<const double> values, std::span<double> fronts) const;
+    void reflectionFrontWeightsOf(std::span<const double> values, std::span<double> fronts) const;
 
   private:
     class Fit;
+    struct Fronts {
+        std::vector<std::size_t> columns;
+        std::vector<double> map; ///< as map_, by front
+    };
     std::size_t strengths() const { return perGas_ == 0 ? 0 : absorption_per_m_.size() / perGas_; }
     Line follow(const GasLine& line) const;
     void take(const Fit& fit);
-    /// By column and front.
-    std::vector<double> takeFronts(const Fit& fit, const std::vector<std::size_t>& columns);
+    /// Of columns, by what each stops at each wavenumber, the strongest first. After map_.
+    Fronts frontsOf(const std::vector<std::vector<double>>& stopped, std::size_t most,
+                    double closest) const;
 
     std::vector<GasLine> columns_;
-    std::vector<std::size_t> fronts_;
+    Fronts fronts_, reflectionFronts_;
     std::size_t perGas_ = 0; ///< number of gases
     /// By gas and strength; emission as a part of that of the hottest gas.
     std::vector<double> absorption_per_m_, emission_;
     std::vector<double> map_; ///< by strength, first of emission, then of what is stopped; column
-    std::vector<double> frontMap_; ///< as map_, by front
     Error error_;
 };
 

@@ -13,10 +13,11 @@ void GasWalk::begin(std::span<const int> rowsAbout) {
         OfEntity& gas = entities_[number];
         gas.line.clear();
         std::ranges::fill(gas.told, 0.0);
-        gas.isMet = gas.isNew = gas.areFrontsKnown = false;
+        gas.isMet = gas.isNew = false;
+        gas.fronts.areKnown = gas.reflectionFronts.areKnown = false;
     }
     met_.clear();
-    areBranchesKnown_ = false;
+    branches_.areKnown = reflectionBranches_.areKnown = false;
 }
 
 int GasWalk::innermost() const {
@@ -31,9 +32,13 @@ GasWalk::OfEntity& GasWalk::ofEntity(int row) {
         const int entity = rows_.keyOf(row).first;
         const GasColumnsOfEntity& columns = *zone.columns;
         const std::vector<double> none(columns.basis.valuesOfLine());
+        const auto frontsAt = [](std::span<const std::size_t> at) {
+            return Fronts{at, std::vector<double>(at.size()), false};
+        };
         entities_.push_back({entity, zone.firstRow, &columns, static_cast<int>(sets_.size()),
                              GasColumnBasis::Line(columns.basis), none, none, none,
-                             std::vector<double>(columns.basis.fronts().size())});
+                             frontsAt(columns.basis.fronts()),
+                             frontsAt(columns.basis.reflectionFronts())});
         for (const int number : columns.numbers)
             sets_.push_back({{entity, number}});
         found = entities_.end() - 1;
@@ -80,44 +85,60 @@ const std::vector<GasWalk::Emission>& GasWalk::takeEmission() {
         for (std::size_t i = 0; i < gas.values.size(); ++i)
             gas.more[i] = gas.values[i] - gas.told[i];
         std::swap(gas.told, gas.values);
-        gas.areFrontsKnown = false;
-        fillBranches(&gas, others_);
+        gas.fronts.areKnown = gas.reflectionFronts.areKnown = false;
+        fillBranches(&gas, &OfEntity::fronts, others_);
         for (const Branch& other : others_)
             emission_.push_back({gas.firstRow, gas.metFirst, gas.from_m, other, gas.columns,
                                  gas.firstSet, gas.more});
     }
-    areBranchesKnown_ = false;
+    branches_.areKnown = reflectionBranches_.areKnown = false;
     return emission_;
 }
 
 const std::vector<GasWalk::Branch>& GasWalk::branches() {
-    if (!std::exchange(areBranchesKnown_, true))
-        fillBranches(nullptr, branches_);
-    return branches_;
+    return known(branches_, &OfEntity::fronts);
 }
 
-const std::vector<double>& GasWalk::frontsOf(OfEntity& gas) {
-    if (!std::exchange(gas.areFrontsKnown, true))
-        gas.columns->basis.frontWeightsOf(gas.told, gas.fronts);
-    return gas.fronts;
+const std::vector<GasWalk::Branch>& GasWalk::reflectionBranches() {
+    return known(reflectionBranches_, &OfEntity::reflectionFronts);
 }
 
-void GasWalk::fillBranches(const OfEntity* without, std::vector<Branch>& branches) {
+const std::vector<GasWalk::Branch>& GasWalk::known(Branches& branches, Fronts OfEntity::*of) {
+    if (!std::exchange(branches.areKnown, true))
+        fillBranches(nullptr, of, branches.all);
+    return branches.all;
+}
+
+const GasWalk::Fronts& GasWalk::frontsOf(OfEntity& gas, Fronts OfEntity::*of) {
+    Fronts& fronts = gas.*of;
+    if (!std::exchange(fronts.areKnown, true)) {
+        const GasColumnBasis& basis = gas.columns->basis;
+        if (of == &OfEntity::fronts)
+            basis.frontWeightsOf(gas.told, fronts.weights);
+        else
+            basis.reflectionFrontWeightsOf(gas.told, fronts.weights);
+    }
+    return fronts;
+}
+
+void GasWalk::fillBranches(const OfEntity* without, Fronts OfEntity::*of,
+                           std::vector<Branch>& branches) {
     branches.assign(1, {});
     for (const std::size_t number : met_) {
         OfEntity& gas = entities_[number];
         if (&gas == without)
             continue;
-        const std::vector<double>& fronts = frontsOf(gas);
+        const Fronts& fronts = frontsOf(gas, of);
         longer_.clear();
         for (const Branch& branch : branches) {
             double rest = 1.0;
-            for (std::size_t m = 0; m < fronts.size(); ++m) {
-                rest -= fronts[m];
-                const auto column = static_cast<int>(gas.columns->basis.fronts()[m]);
-                if (fronts[m] != 0.0)
+            for (std::size_t m = 0; m < fronts.weights.size(); ++m) {
+                const double weight = fronts.weights[m];
+                rest -= weight;
+                if (weight != 0.0)
                     longer_.push_back(
-                        {joined(branch.set, gas.firstSet + column), branch.weight * fronts[m]});
+                        {joined(branch.set, gas.firstSet + static_cast<int>(fronts.columns[m])),
+                         branch.weight * weight});
             }
             longer_.push_back({branch.set, branch.weight * rest});
         }

@@ -51,31 +51,44 @@ class GasWalk {
     const std::vector<Emission>& takeEmission();
     /// What stands before what comes next; weights add up to 1.
     const std::vector<Branch>& branches();
+    /// The same, of fewer fronts, before what surfaces there reflect of others.
+    const std::vector<Branch>& reflectionBranches();
     /// The materials of a set; number 0 is none.
     const std::vector<OccluderMaterial>& columns(int set) const {
         return sets_[static_cast<std::size_t>(set)];
     }
 
   private:
+    /// Numbers of columns, and their weights.
+    struct Fronts {
+        std::span<const std::size_t> columns;
+        std::vector<double> weights;
+        bool areKnown = false;
+    };
+    struct Branches {
+        std::vector<Branch> all;
+        bool areKnown = false;
+    };
     /// What stays the same from sample to sample.
     struct OfEntity {
         int entity = 0, firstRow = 0;
         const GasColumnsOfEntity* columns = nullptr;
         int firstSet = 0; ///< of its columns, which follow each other
         GasColumnBasis::Line line;
-        /// Of the line as it is, as it was told of last, and more than that; by front, as it was
-        /// told of last.
-        std::vector<double> values, told, more, fronts;
-        bool isMet = false, isNew = false, areFrontsKnown = false; ///< in this sample
+        /// Of the line as it is, as it was told of last, and more than that.
+        std::vector<double> values, told, more;
+        Fronts fronts, reflectionFronts;   ///< as it was told of last
+        bool isMet = false, isNew = false; ///< in this sample
         int metFirst = 0;
         float from_m = 0.0f;
     };
     int innermost() const;
     OfEntity& ofEntity(int row);
     /// The fronts of all gas that was told of but that of one entity, or none.
-    void fillBranches(const OfEntity* without, std::vector<Branch>& branches);
+    void fillBranches(const OfEntity* without, Fronts OfEntity::*of, std::vector<Branch>& branches);
+    const std::vector<Branch>& known(Branches& branches, Fronts OfEntity::*of);
     /// Of a gas that was told of.
-    static const std::vector<double>& frontsOf(OfEntity& gas);
+    static const Fronts& frontsOf(OfEntity& gas, Fronts OfEntity::*of);
     int joined(int set, int other);
 
     const SurfaceRows& rows_;
@@ -84,8 +97,8 @@ class GasWalk {
     bool hasNew_ = false;
     std::vector<OfEntity> entities_;
     std::vector<std::size_t> met_; ///< of the entities, in the order in which they were met
-    std::vector<Branch> branches_, others_, longer_;
-    bool areBranchesKnown_ = false;
+    Branches branches_, reflectionBranches_;
+    std::vector<Branch> others_, longer_;
     std::vector<std::vector<OccluderMaterial>> sets_;
     std::map<std::pair<int, int>, int> joined_;
     std::vector<Emission> emission_;

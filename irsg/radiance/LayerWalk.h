@@ -33,9 +33,13 @@ class LayerWalk {
     /// and behind all, each as a layer of the gas that is met first, with the row of the entity's
     /// first gas, the column in its stack and its weight for coverage. What is behind gas is
     /// visited once for each column, likewise, and once for no gas.
-    template <typename Visit>
-    void forEachPlace(const GeometrySamples& samples, std::size_t sample, const Visit& visit) {
-        forEachPlace(samples, sample, visit,
+    /// Lobes come behind fewer of the columns, and so does what a layer receives of other surfaces,
+    /// which is visited apart: visitReceived(front, between, layer), with coverage for the weight
+    /// of what is received at the place; the layer itself then comes without a place.
+    template <typename Visit, typename VisitReceived>
+    void forEachPlace(const GeometrySamples& samples, std::size_t sample, const Visit& visit,
+                      const VisitReceived& visitReceived) {
+        forEachPlace(samples, sample, visit, visitReceived,
                      [&](int stack, const GeometrySamples::Layer& layer,
                          const GeometrySamples::Specular& mirror) {
                          forEachShare(samples, mirror, [&](std::size_t place, float coverage) {
@@ -51,11 +55,11 @@ class LayerWalk {
                      });
     }
     /// The same, with visitSpecular(front, layer, mirror) for what lobes mirror.
-    template <typename Visit, typename VisitSpecular>
+    template <typename Visit, typename VisitReceived, typename VisitSpecular>
     void forEachPlace(const GeometrySamples& samples, std::size_t sample, const Visit& visit,
-                      const VisitSpecular& visitSpecular) {
+                      const VisitReceived& visitReceived, const VisitSpecular& visitSpecular) {
         forEachPlace(
-            samples, sample, visit, visitSpecular,
+            samples, sample, visit, visitReceived, visitSpecular,
             [&](int stack, const SurfaceRows::Between& between, const GasWalk::Emission& gas) {
                 forEachColumn(stack, gas, [&](int behind, double weight) {
                     const auto part = static_cast<float>(gas.before.weight * weight);
@@ -71,34 +75,39 @@ class LayerWalk {
             });
     }
     /// The same, with visitGas(front, between, emission) for what gas emits, before its columns.
-    template <typename Visit, typename VisitSpecular, typename VisitGas>
+    template <typename Visit, typename VisitReceived, typename VisitSpecular, typename VisitGas>
     void forEachPlace(const GeometrySamples& samples, std::size_t sample, const Visit& visit,
-                      const VisitSpecular& visitSpecular, const VisitGas& visitGas) {
+                      const VisitReceived& visitReceived, const VisitSpecular& visitSpecular,
+                      const VisitGas& visitGas) {
         if (hasGas_)
-            return forEachPlaceInGas(samples, sample, visit, visitSpecular, visitGas);
+            return forEachPlaceInGas(samples, sample, visit, visitReceived, visitSpecular,
+                                     visitGas);
         if (samples.through.empty() && samples.lobes.empty() && samples.speculars.empty() &&
             samples.reflected.empty())
             return forEachLayerAlone(samples, sample, visit);
         int stack = 0;
         LightOfLayers light(*this, samples, sample);
         samples.forEachLayer(sample, [&](const GeometrySamples::Layer& layer) {
-            visitLayer(samples, stack, layer, light, visit, visitSpecular);
+            visitLayer(samples, stack, layer, light, visit);
+            visitLobes(samples, stack, layer, light, visit, visitSpecular);
             light.goOn();
             if (rows_.isTransparent(layer.row))
                 stack = behind(stack, layer.row);
         });
     }
-    /// Calls visit(kind, weight, layer) for every layer of a sample, front to back; twice for one
-    /// between two nodes of its entity's slices.
-    template <typename Visit>
-    void forEachLayer(const GeometrySamples& samples, std::size_t sample, const Visit& visit) {
-        forEachPlace(samples, sample, byRows(visit));
+    /// Calls visit(kind, weight, layer) for every layer of a sample, front to back, and
+    /// visitReceived(kind, weight, layer) likewise; twice for one between two nodes of its entity's
+    /// slices.
+    template <typename Visit, typename VisitReceived>
+    void forEachLayer(const GeometrySamples& samples, std::size_t sample, const Visit& visit,
+                      const VisitReceived& visitReceived) {
+        forEachPlace(samples, sample, byRows(visit), byRows(visitReceived));
     }
     /// The same, with visitSpecular(front, layer, mirror) for what lobes mirror.
-    template <typename Visit, typename VisitSpecular>
+    template <typename Visit, typename VisitReceived, typename VisitSpecular>
     void forEachLayer(const GeometrySamples& samples, std::size_t sample, const Visit& visit,
-                      const VisitSpecular& visitSpecular) {
-        forEachPlace(samples, sample, byRows(visit), visitSpecular);
+                      const VisitReceived& visitReceived, const VisitSpecular& visitSpecular) {
+        forEachPlace(samples, sample, byRows(visit), byRows(visitReceived), visitSpecular);
     }
 
     /// Calls visit(front, weight) for the columns of what gas emits, or of a sum of such.
@@ -136,26 +145,34 @@ class LayerWalk {
   private:
     static constexpr std::array<float, mostFactors> noFactors{};
 
-    /// A layer with all that belongs to it.
-    template <typename Light, typename Visit, typename VisitSpecular>
+    /// A layer, and light that it gets through something.
+    template <typename Light, typename Visit>
     void visitLayer(const GeometrySamples& samples, int stack, const GeometrySamples::Layer& layer,
-                    const Light& all, const Visit& visit, const VisitSpecular& visitSpecular) {
+                    const Light& all, const Visit& visit) {
         const SurfaceRows::Between between = rows_.at(layer.row, layer.distance_m);
         visit(stack, between, layer);
-        const auto throughOf = [&](const GeometrySamples::Layer& of, const SurfaceRows::Between& at,
-                                   double scale) {
-            all.light.ofThisLayer([&](const GeometrySamples::Through& one) {
-                visit(behindSet(stack, samples.throughSets[one.set]), at,
-                      lightAlone(of, one, static_cast<float>(scale)));
-            });
-        };
-        throughOf(layer, between, 1.0);
+        visitThrough(samples, stack, layer, between, 1.0, all, visit);
+    }
+    template <typename Light, typename Visit>
+    void visitThrough(const GeometrySamples& samples, int stack,
+                      const GeometrySamples::Layer& layer, const SurfaceRows::Between& between,
+                      double scale, const Light& all, const Visit& visit) {
+        all.light.ofThisLayer([&](const GeometrySamples::Through& one) {
+            visit(behindSet(stack, samples.throughSets[one.set]), between,
+                  lightAlone(layer, one, static_cast<float>(scale)));
+        });
+    }
+    /// What lobes of a layer send and reflect.
+    template <typename Light, typename Visit, typename VisitSpecular>
+    void visitLobes(const GeometrySamples& samples, int stack, const GeometrySamples::Layer& layer,
+                    const Light& all, const Visit& visit, const VisitSpecular& visitSpecular) {
         all.lobes.ofThisLayer([&](const GeometrySamples::Lobe& one) {
             const GeometrySamples::Layer lobe = lobeOf(samples, layer, one);
-            const SurfaceRows::Between at = rows_.at(lobe.row, lobe.distance_m);
-            visit(stack, at, lobe);
+            const SurfaceRows::Between between = rows_.at(lobe.row, lobe.distance_m);
+            visit(stack, between, lobe);
             if (one.sun != 0.0f)
-                throughOf(lobe, at, static_cast<double>(one.sun));
+                visitThrough(samples, stack, lobe, between, static_cast<double>(one.sun), all,
+                             visit);
         });
         all.mirrors.ofThisLayer(
             [&](const GeometrySamples::Specular& one) { visitSpecular(stack, layer, one); });
@@ -171,9 +188,10 @@ class LayerWalk {
         });
     }
 
-    template <typename Visit, typename VisitSpecular, typename VisitGas>
+    template <typename Visit, typename VisitReceived, typename VisitSpecular, typename VisitGas>
     void forEachPlaceInGas(const GeometrySamples& samples, std::size_t sample, const Visit& visit,
-                           const VisitSpecular& visitSpecular, const VisitGas& visitGas) {
+                           const VisitReceived& visitReceived, const VisitSpecular& visitSpecular,
+                           const VisitGas& visitGas) {
         int stack = 0; // of materials that are no gas
         LightOfLayers light(*this, samples, sample);
         gas_.begin(samples.gasesAboutEye);
@@ -184,22 +202,32 @@ class LayerWalk {
                 return light.goOn();
             }
             emitGas(stack, visitGas);
-            for (const GasWalk::Branch& branch : gas_.branches()) {
-                const int here = behindColumns(stack, branch.set);
-                const auto part = static_cast<float>(branch.weight);
-                visitLayer(
-                    samples, here, layer, light,
-                    [&](int own, const SurfaceRows::Between& between,
-                        const GeometrySamples::Layer& whole) {
-                        visit(own, between, partOf(whole, part));
-                    },
-                    [&](int own, const GeometrySamples::Layer& whole,
-                        GeometrySamples::Specular mirror) {
-                        for (float& weight : mirror.weights)
-                            weight *= part;
-                        visitSpecular(own, whole, mirror);
-                    });
-            }
+            const auto visitPart = [&](float part) {
+                return [&visit, this, part](int own, const SurfaceRows::Between& between,
+                                            const GeometrySamples::Layer& whole) {
+                    visit(own, between, partOf(whole, part));
+                };
+            };
+            GeometrySamples::Layer alone = layer;
+            alone.place = nullptr;
+            for (const GasWalk::Branch& branch : gas_.branches())
+                visitLayer(samples, behindColumns(stack, branch.set), alone, light,
+                           visitPart(static_cast<float>(branch.weight)));
+            if (layer.place != nullptr || light.hasLobes())
+                for (const GasWalk::Branch& branch : gas_.reflectionBranches()) {
+                    const int here = behindColumns(stack, branch.set);
+                    const auto part = static_cast<float>(branch.weight);
+                    if (layer.place != nullptr)
+                        visitReceived(here, rows_.at(layer.row, layer.distance_m),
+                                      receivedBy(layer, part));
+                    visitLobes(samples, here, layer, light, visitPart(part),
+                               [&](int own, const GeometrySamples::Layer& whole,
+                                   GeometrySamples::Specular mirror) {
+                                   for (float& weight : mirror.weights)
+                                       weight *= part;
+                                   visitSpecular(own, whole, mirror);
+                               });
+                }
             light.goOn();
             if (rows_.isTransparent(layer.row))
                 stack = behind(stack, layer.row);
@@ -223,6 +251,16 @@ class LayerWalk {
                 part * whole.coverage,
                 whole.place,
                 whole.isLobe};
+    }
+
+    /// What it receives of other surfaces alone.
+    static GeometrySamples::Layer receivedBy(const GeometrySamples::Layer& layer, float part) {
+        return {layer.row,
+                layer.distance_m,
+                {noFactors.data(), layer.factors.size()},
+                part * layer.coverage,
+                layer.place,
+                layer.isLobe};
     }
 
     /// Of samples that nothing of the light belongs to.
@@ -279,6 +317,9 @@ class LayerWalk {
                  one != end_ && one->sample == sample_ && one->layer == layer_; ++one)
                 visit(*one);
         }
+        bool isThere() const {
+            return next_ != end_ && next_->sample == sample_ && next_->layer == layer_;
+        }
         void goOn() {
             while (next_ != end_ && next_->sample == sample_ && next_->layer == layer_)
                 ++next_;
@@ -303,6 +344,9 @@ class LayerWalk {
             lobes.goOn();
             mirrors.goOn();
             reflected.goOn();
+        }
+        bool hasLobes() const {
+            return lobes.isThere() || mirrors.isThere() || reflected.isThere();
         }
         OfLayers<GeometrySamples::Through> light;
         OfLayers<GeometrySamples::Lobe> lobes;

@@ -49,8 +49,16 @@ class PixelSurfaceSums {
         addTo({stack, between.row}, 1.0 - next, factors, coverage);
         if (next > 0.0)
             addTo({stack, between.row + 1}, next, factors, coverage);
+        addReceived(stack, between, layer);
+    }
+
+    /// What is received of other surfaces, of layers whose coverage is visited apart.
+    void addReceived(int stack, const SurfaceRows::Between& between,
+                     const GeometrySamples::Layer& layer) {
         if (!layer.place || layer.place->cell == GeometrySamples::Place::none)
             return;
+        const auto next = static_cast<double>(between.next);
+        const auto coverage = static_cast<double>(layer.coverage);
         addReceivers({stack, between.row}, coverage * (1.0 - next), *layer.place);
         if (next > 0.0)
             addReceivers({stack, between.row + 1}, coverage * next, *layer.place);

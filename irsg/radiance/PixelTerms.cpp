@@ -77,51 +77,69 @@ void PixelTerms::add(const GeometrySamples& samples, std::size_t sample, double 
     const SurfaceRows& rows = radiometry_.rows();
     int number = 0, ofLayer = 0, lastRow = -1;
     float last_m = 0.0f;
+    const auto forEachRow = [&](const SurfaceRows::Between& between,
+                                const GeometrySamples::Layer& layer, const auto& visitRow) {
+        const auto next = static_cast<double>(between.next);
+        visitRow(between.row, share * (1.0 - next));
+        if (rows.isSliced(layer.row))
+            visitRow(between.row + 1, share * next);
+    };
+    const auto sumsAt = [&](int solid, bool isLightAlone, const SurfaceRows::Between& between,
+                            const GeometrySamples::Layer& layer) -> Sums& {
+        return sumsOf({number, isLightAlone, rows.surfaceOf(layer.row), solid},
+                      layer.isLobe ? rows.first(rows.surfaceOf(layer.row)) : between.row);
+    };
+    const auto addReceived = [&](const SurfaceStackId& kind, Sums& sums, double part,
+                                 const GeometrySamples::Layer& layer) {
+        const KnownSurfaceStack& known = knownOf(kind);
+        if (!known.light || !layer.place)
+            return;
+        const SceneLight::AtReceiver at = lightAt(light_->exchange(), *known.light, *layer.place);
+        const double lit = part * static_cast<double>(layer.coverage);
+        const auto give = [&](int term, double radiance) {
+            if (term >= 0)
+                sums.radiance_W_m2_sr[static_cast<std::size_t>(term)] += lit * radiance;
+        };
+        give(light_->skyTerm(), at[0]);
+        give(light_->groundTerm(), at[1]);
+        sums.between_W_m2_sr += lit * at[2];
+    };
     walk_.forEachPlace(
         samples, sample,
         [&](int stack, const SurfaceRows::Between& between, const GeometrySamples::Layer& layer) {
+            const std::vector<OccluderMaterial>& front = walk_.occluderStacks().materials(stack);
+            const int solid = occluderStacks_.numberOf(withoutGas(front));
             // A lobe belongs to its surface.
-            const bool isLightAlone = layer.isLobe ? stack != ofLayer : layer.coverage == 0.0f;
+            const bool isLightAlone = layer.isLobe ? solid != ofLayer : layer.coverage == 0.0f;
             if (!isLightAlone && !layer.isLobe) {
                 // Behind gas, and of gas itself, a layer comes once for each column.
                 if (layer.row != lastRow || layer.distance_m != last_m)
                     ++number;
                 lastRow = layer.row;
                 last_m = layer.distance_m;
-                ofLayer = stack;
+                ofLayer = solid;
             }
-            const std::vector<OccluderMaterial>& front = walk_.occluderStacks().materials(stack);
             const int shared = occluderStacks_.numberOf(front);
-            Sums& sums = sumsOf({number, isLightAlone, rows.surfaceOf(layer.row),
-                                 occluderStacks_.numberOf(withoutGas(front))},
-                                layer.isLobe ? rows.first(rows.surfaceOf(layer.row)) : between.row);
-            const auto addRow = [&](int row, double part) {
-                const SurfaceStackId kind{shared, row};
-                addKind(kind, sums, part * static_cast<double>(layer.coverage), [&](std::size_t f) {
-                    return part * static_cast<double>(layer.factors[f]);
-                });
-                const KnownSurfaceStack& known = knownOf(kind);
-                if (!known.light || !layer.place)
-                    return;
-                const SceneLight::AtReceiver at =
-                    lightAt(light_->exchange(), *known.light, *layer.place);
-                const double lit = part * static_cast<double>(layer.coverage);
-                const auto give = [&](int term, double radiance) {
-                    if (term >= 0)
-                        sums.radiance_W_m2_sr[static_cast<std::size_t>(term)] += lit * radiance;
-                };
-                give(light_->skyTerm(), at[0]);
-                give(light_->groundTerm(), at[1]);
-                sums.between_W_m2_sr += lit * at[2];
-            };
+            Sums& sums = sumsAt(solid, isLightAlone, between, layer);
             // Behind gas, and of gas, each column has its weight.
             if (!layer.isLobe)
                 sums.range_m += share * static_cast<double>(layer.coverage) *
                                 static_cast<double>(layer.distance_m);
-            const auto next = static_cast<double>(between.next);
-            addRow(between.row, share * (1.0 - next));
-            if (rows.isSliced(layer.row))
-                addRow(between.row + 1, share * next);
+            forEachRow(between, layer, [&](int row, double part) {
+                const SurfaceStackId kind{shared, row};
+                addKind(kind, sums, part * static_cast<double>(layer.coverage), [&](std::size_t f) {
+                    return part * static_cast<double>(layer.factors[f]);
+                });
+                addReceived(kind, sums, part, layer);
+            });
+        },
+        [&](int stack, const SurfaceRows::Between& between, const GeometrySamples::Layer& layer) {
+            const std::vector<OccluderMaterial>& front = walk_.occluderStacks().materials(stack);
+            const int shared = occluderStacks_.numberOf(front);
+            Sums& sums = sumsAt(occluderStacks_.numberOf(withoutGas(front)), false, between, layer);
+            forEachRow(between, layer, [&](int row, double part) {
+                addReceived({shared, row}, sums, part, layer);
+            });
         });
 }
 

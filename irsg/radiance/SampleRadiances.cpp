@@ -172,25 +172,38 @@ class SamplesOfPart {
         isPrepared_ = isPrepared_ && known_.back().isPrepared;
     }
 
+    /// What a layer sends of what other surfaces send it.
+    [[gnu::always_inline]] double received(const Known& known,
+                                           const GeometrySamples::Layer& layer) const {
+        double sum = 0.0;
+        if (known.light && layer.place)
+            for (const double of : lightAt(light_->exchange(), *known.light, *layer.place))
+                sum += static_cast<double>(layer.coverage) * of;
+        return sum;
+    }
+
     void evaluateSample(const GeometrySamples& samples, std::size_t i, float* radianceAndOpacity) {
         double sent = 0.0, opacity = 0.0;
         walk_.forEachLayer(
             samples, i,
-            [&](const SurfaceStackId& kind, float weight,
-                const GeometrySamples::Layer& layer) __attribute__((always_inline)) {
+            [&](const SurfaceStackId& kind, float weight, const GeometrySamples::Layer& layer)
+                __attribute__((always_inline)) {
+                    const Known& known = knownOf(kind);
+                    if (!isPrepared_)
+                        return;
+                    const SurfaceStackRadiance& radiance = known.radiance;
+                    const auto coverage = static_cast<double>(layer.coverage);
+                    double own = coverage * radiance.constant;
+                    own += received(known, layer);
+                    for (std::size_t f = 0; f < layer.factors.size(); ++f)
+                        own += radiance.perFactor[f] * static_cast<double>(layer.factors[f]);
+                    sent += static_cast<double>(weight) * own;
+                    opacity += static_cast<double>(weight) * coverage * radiance.opacity;
+                },
+            [&](const SurfaceStackId& kind, float weight, const GeometrySamples::Layer& layer) {
                 const Known& known = knownOf(kind);
-                if (!isPrepared_)
-                    return;
-                const SurfaceStackRadiance& radiance = known.radiance;
-                const auto coverage = static_cast<double>(layer.coverage);
-                double own = coverage * radiance.constant;
-                if (known.light && layer.place)
-                    for (const double of : lightAt(light_->exchange(), *known.light, *layer.place))
-                        own += coverage * of;
-                for (std::size_t f = 0; f < layer.factors.size(); ++f)
-                    own += radiance.perFactor[f] * static_cast<double>(layer.factors[f]);
-                sent += static_cast<double>(weight) * own;
-                opacity += static_cast<double>(weight) * coverage * radiance.opacity;
+                if (isPrepared_)
+                    sent += static_cast<double>(weight) * received(known, layer);
             },
             [&](int stack, const GeometrySamples::Layer& layer,
                 const GeometrySamples::Specular& mirror) {

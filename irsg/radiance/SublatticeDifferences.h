@@ -90,6 +90,14 @@ class SublatticeDifferences {
                 sums.addLight(front, between, layer);
     }
 
+    void addReceived(int front, const SurfaceRows::Between& between,
+                     const GeometrySamples::Layer& layer) {
+        now_->addReceived(front, between, layer);
+        if (isCorrected_)
+            for (ViewSurfaceSums<Factors>& sums : corrections_)
+                sums.addReceived(front, between, layer);
+    }
+
     /// No sample comes after it.
     void finishLight() {
         for (ViewSurfaceSums<Factors>& sums : classes_)

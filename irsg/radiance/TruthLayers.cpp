@@ -104,6 +104,20 @@ void TruthLayers::add(const SampleTile& tile, const GeometrySamples& samples) {
             if (samples.isEmpty(standing))
                 continue;
             std::optional<GeometrySamples::Layer> nearest;
+            const auto addReceived = [&](const SurfaceStackId& kind, float part,
+                                         const GeometrySamples::Layer& layer) {
+                const SurfaceStackTerms& known = termsOf(kind);
+                if (!known.light || !layer.place)
+                    return;
+                const SceneLight::AtReceiver at =
+                    lightAt(light_->exchange(), *known.light, *layer.place);
+                const double of = static_cast<double>(part) * static_cast<double>(layer.coverage);
+                if (light_->skyTerm() >= 0)
+                    sums[static_cast<std::size_t>(light_->skyTerm())] += of * at[0];
+                if (light_->groundTerm() >= 0)
+                    sums[static_cast<std::size_t>(light_->groundTerm())] += of * at[1];
+                sums[ofOthers] += of * at[2];
+            };
             walk_.forEachLayer(
                 samples, standing,
                 [&](const SurfaceStackId& kind, float part, const GeometrySamples::Layer& layer) {
@@ -121,20 +135,11 @@ void TruthLayers::add(const SampleTile& tile, const GeometrySamples& samples) {
                             drawn = coverage - drawn;
                         sums[k] += static_cast<double>(part) * drawn * known.terms[k];
                     }
-                    if (known.light && layer.place) {
-                        const SceneLight::AtReceiver at =
-                            lightAt(light_->exchange(), *known.light, *layer.place);
-                        const double of =
-                            static_cast<double>(part) * static_cast<double>(layer.coverage);
-                        if (light_->skyTerm() >= 0)
-                            sums[static_cast<std::size_t>(light_->skyTerm())] += of * at[0];
-                        if (light_->groundTerm() >= 0)
-                            sums[static_cast<std::size_t>(light_->groundTerm())] += of * at[1];
-                        sums[ofOthers] += of * at[2];
-                    }
+                    addReceived(kind, part, layer);
                     sums.back() -= static_cast<double>(part * layer.coverage) * known.opacity *
                                    background_.behindAt(x, y);
-                });
+                },
+                addReceived);
 
             if (!nearest) // a gas that it only touches
                 continue;

@@ -54,6 +54,10 @@ void addRows(const SampleTile& tile, const GeometrySamples& samples, std::size_t
                         else
                             sums.addLight(stack, between, layer);
                     },
+                    [&](int stack, const SurfaceRows::Between& between,
+                        const GeometrySamples::Layer& layer) {
+                        sums.addReceived(stack, between, layer);
+                    },
                     [&](int stack, const GeometrySamples::Layer& layer,
                         const GeometrySamples::Specular& mirror) {
                         sums.addSpecular(stack, samples, layer, mirror);

@@ -68,11 +68,7 @@ class ViewSurfaceSums {
         const std::size_t place = placeOf(stack, between.row);
         const float* factors = layer.factors.data();
         const auto coverage = static_cast<double>(layer.coverage);
-        if (layer.place && layer.place->cell != GeometrySamples::Place::none) {
-            addReceivers(place, coverage * (1.0 - static_cast<double>(between.next)), *layer.place);
-            if (between.next > 0.0f)
-                addReceivers(place + 1, coverage * static_cast<double>(between.next), *layer.place);
-        }
+        addReceived(place, between, layer);
         addToRun(place, static_cast<double>(between.next), coverage, factors,
                  std::make_index_sequence<Factors>());
     }
@@ -97,6 +93,12 @@ class ViewSurfaceSums {
         addTo(place, 1.0 - static_cast<double>(between.next));
         if (between.next > 0.0f)
             addTo(place + 1, static_cast<double>(between.next));
+    }
+
+    /// What is received of other surfaces, of layers whose coverage is visited apart.
+    void addReceived(int stack, const SurfaceRows::Between& between,
+                     const GeometrySamples::Layer& layer) {
+        addReceived(placeOf(stack, between.row), between, layer);
     }
 
     /// What lobes mirror of the air, which is divided among its places once all is added.
@@ -375,6 +377,15 @@ class ViewSurfaceSums {
         std::uint32_t cell = GeometrySamples::Place::none;
         std::array<double, 3> plain{}, cosine{};
     };
+    [[gnu::always_inline]] void addReceived(std::size_t place, const SurfaceRows::Between& between,
+                                            const GeometrySamples::Layer& layer) {
+        if (!layer.place || layer.place->cell == GeometrySamples::Place::none)
+            return;
+        const auto coverage = static_cast<double>(layer.coverage);
+        addReceivers(place, coverage * (1.0 - static_cast<double>(between.next)), *layer.place);
+        if (between.next > 0.0f)
+            addReceivers(place + 1, coverage * static_cast<double>(between.next), *layer.place);
+    }
     void addReceivers(std::size_t place, double weight, const GeometrySamples::Place& at) {
         const std::size_t slot = slotOf(place);
         if (slot >= receivers_.size()) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <span>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -85,56 +87,72 @@ TEST(GasColumnBasis, MakesLinesItHasNotSeenOfFewColumns) {
     }
 }
 
-TEST(GasColumnBasis, LetsThroughWhatItsColumnsDoByFewerFronts) {
-    const std::vector<GasLayer> gases{gas(400.0, 0.01, 0.02), gas(900.0, 0.04, 0.05)};
-    const GasColumnBasis basis(gases, wavenumbers_per_cm(), lines(400));
-    ASSERT_LE(basis.fronts().size(), 10U);
-    ASSERT_LT(basis.fronts().size(), basis.columns().size());
+/// What lines let through of 1, by fronts less by all columns: rms over wavenumbers, of the line
+/// that is farthest off.
+template <typename WeightsOf>
+double offByFronts(const GasColumnBasis& basis, const std::vector<GasLayer>& gases,
+                   std::span<const std::size_t> fronts, const WeightsOf& weightsOf) {
     const GasColumns columns(gases, wavenumbers_per_cm());
-    const auto stopped = [&](const GasLine& line) {
-        std::vector<double> sums(wavenumbers_per_cm().size(), 0.0);
+    const auto addStopped = [&](const GasLine& line, double weight, std::vector<double>& sums) {
         for (const std::vector<double>& share : columns.shares(line)) {
             for (std::size_t i = 0; i < sums.size(); ++i) {
-                sums[i] += share[i];
+                sums[i] += weight * share[i];
             }
         }
-        return sums;
     };
-    std::vector<double> weights(basis.columns().size()), fronts(basis.fronts().size());
+    std::vector<double> ofColumns(basis.columns().size()), ofFronts(fronts.size());
+    double most = 0.0;
     for (const GasLine& line :
          std::vector<GasLine>{{{0, 0.55}, {1, 0.9}, {0, 0.55}}, {{0, 0.9}}, {{0, 0.4}, {1, 0.3}}}) {
         GasColumnBasis::Line followed(basis);
         for (const GasStretch& stretch : line) {
             followed.add(stretch.gas, stretch.length_m);
         }
-        basis.weightsOf(followed, weights);
         std::vector<double> values(basis.valuesOfLine());
         followed.fillValues(values);
-        basis.frontWeightsOf(values, fronts);
-        std::vector<double> ofColumns(wavenumbers_per_cm().size()), ofFronts(ofColumns.size());
-        for (std::size_t k = 0; k < weights.size(); ++k) {
-            const std::vector<double> own = stopped(basis.columns()[k]);
-            for (std::size_t i = 0; i < own.size(); ++i) {
-                ofColumns[i] += weights[k] * own[i];
-            }
+        basis.weightsOf(values, ofColumns);
+        weightsOf(values, ofFronts);
+        std::vector<double> off(wavenumbers_per_cm().size());
+        for (std::size_t k = 0; k < ofColumns.size(); ++k) {
+            addStopped(basis.columns()[k], -ofColumns[k], off);
         }
         for (std::size_t m = 0; m < fronts.size(); ++m) {
-            const std::vector<double> own = stopped(basis.columns()[basis.fronts()[m]]);
-            for (std::size_t i = 0; i < own.size(); ++i) {
-                ofFronts[i] += fronts[m] * own[i];
-            }
+            addStopped(basis.columns()[fronts[m]], ofFronts[m], off);
         }
-        double off = 0.0;
-        for (std::size_t i = 0; i < ofFronts.size(); ++i) {
-            off += std::pow(ofFronts[i] - ofColumns[i], 2.0);
-        }
-        off = std::sqrt(off / static_cast<double>(ofFronts.size()));
-        EXPECT_LT(off, 1e-3);
-        EXPECT_GT(ofFronts[60], 0.0);
+        const double squares = std::inner_product(off.begin(), off.end(), off.begin(), 0.0);
+        most = std::max(most, std::sqrt(squares / static_cast<double>(off.size())));
     }
     // None of no gas.
-    basis.frontWeightsOf(std::vector<double>(basis.valuesOfLine(), 0.0), fronts);
-    EXPECT_EQ(std::ranges::count(fronts, 0.0), static_cast<std::ptrdiff_t>(fronts.size()));
+    weightsOf(std::vector<double>(basis.valuesOfLine(), 0.0), ofFronts);
+    EXPECT_EQ(std::ranges::count(ofFronts, 0.0), static_cast<std::ptrdiff_t>(ofFronts.size()));
+    return most;
+}
+
+TEST(GasColumnBasis, LetsThroughWhatItsColumnsDoByFewerFronts) {
+    const std::vector<GasLayer> gases{gas(400.0, 0.01, 0.02), gas(900.0, 0.04, 0.05)};
+    const GasColumnBasis basis(gases, wavenumbers_per_cm(), lines(400));
+    ASSERT_LE(basis.fronts().size(), 14U);
+    ASSERT_LT(basis.fronts().size(), basis.columns().size());
+    EXPECT_LT(offByFronts(basis, gases, basis.fronts(),
+                          [&](const std::vector<double>& values, std::vector<double>& weights) {
+                              basis.frontWeightsOf(values, weights);
+                          }),
+              1e-3);
+}
+
+TEST(GasColumnBasis, LetsThroughNearlyThatByTheFirstFrontsAlone) {
+    const std::vector<GasLayer> gases{gas(400.0, 0.01, 0.02), gas(900.0, 0.04, 0.05)};
+    const GasColumnBasis basis(gases, wavenumbers_per_cm(), lines(400));
+    const std::span<const std::size_t> few = basis.reflectionFronts();
+    ASSERT_LE(few.size(), 10U);
+    ASSERT_LE(few.size(), basis.fronts().size());
+    EXPECT_TRUE(std::ranges::equal(few, std::span(basis.fronts()).first(few.size())));
+    const double off = offByFronts(
+        basis, gases, few, [&](const std::vector<double>& values, std::vector<double>& weights) {
+            basis.reflectionFrontWeightsOf(values, weights);
+        });
+    EXPECT_LT(off, 1e-3);
+    EXPECT_GT(off, 1e-6); // or all that are taken count nothing
 }
 
 TEST(GasColumnBasis, GivesNoGasNoWeight) {

@@ -45,10 +45,14 @@ std::vector<Visit> visitsOf(LayerWalk& walk, const std::vector<std::int32_t>& dr
     gatherFragments(list, samples);
     sortLayers(samples, 10);
     std::vector<Visit> visits;
-    walk.forEachLayer(samples, 0,
-                      [&](const SurfaceStackId& kind, float weight, const GeometrySamples::Layer&) {
-                          visits.push_back({kind, weight});
-                      });
+    walk.forEachLayer(
+        samples, 0,
+        [&](const SurfaceStackId& kind, float weight, const GeometrySamples::Layer&) {
+            visits.push_back({kind, weight});
+        },
+        [](const SurfaceStackId&, float, const GeometrySamples::Layer&) {
+            FAIL() << "without gas nothing is received apart";
+        });
     return visits;
 }
 
