@@ -8,9 +8,12 @@
 #include "apps/smat-batch/Output.h"
 #include "apps/smat-batch/StopSignal.h"
 #include "irsg/core/Collect.h"
+#include "irsg/core/CsvTable.h"
+#include "irsg/gas/BentJet.h"
+#include "irsg/gas/PlumePoints.h"
 #include "irsg/radiometry/Band.h"
+#include "smatcore/tools/PlumeJetText.h"
 #include "smatcore/tools/PlumeModel.h"
-#include "smatcore/tools/RoundJetText.h"
 
 namespace smat::batch {
 
@@ -22,15 +25,18 @@ class PlumeCommand {
     explicit PlumeCommand(CLI::App& command) : numbers_(command) {
         command
             .add_option("TABLE", table_,
-                        "CSV with the columns x [m], r [m], T [K], and of p [atm], CO2, H2O, CO, "
-                        "CH4, O2, soot [ppmv] those that there are; or --jet")
+                        "CSV with the columns x [m], r [m], T [K] of a plume about an axis, or "
+                        "x [m], y [m], z [m], T [K] of points in space, and of p [atm], CO2, H2O, "
+                        "CO, CH4, O2, soot [ppmv] those that there are; or --jet")
             ->type_name("");
         command
             .add_option("--jet", jet_,
                         "In place of a table, the exhaust of a nozzle as a round turbulent jet: "
                         "D_m=0.3,T_K=800,velocity_m_s=200,fuel_air=0.02 and of air_K, coflow_m_s, "
                         "p_atm, carbon, hydrogen, air_H2O, air_CO2, soot_ppmv, ends_at those that "
-                        "are not as usual")
+                        "are not as usual; with up_deg, its elevation over the horizon, its heat "
+                        "lifts it, with wind_m_s and wind_from_deg (0 from ahead, 90 from "
+                        "starboard) a wind bends it")
             ->type_name("KEY=NUMBER,...");
         command.add_option("--out", out_, "Model to write, with its codes and its database")
             ->type_name("FILE.obj");
@@ -42,9 +48,11 @@ class PlumeCommand {
         numbers_.add("--most-zones", "", "Zones at most, 1 to 40; 16 when not given");
         numbers_.add("--first-index", "",
                      "Temperature and material index of the outermost zone; 1 when not given");
-        command.footer("Makes zones of gas from a plume about an axis: a model, its codes and its "
-                       "signature database, so many zones that the radiant intensity from beside, "
-                       "from the quarter and from behind is within the bound.");
+        command.footer("Makes zones of gas from a plume: a model, its codes and its signature "
+                       "database, so many zones that the radiant intensity from beside, from the "
+                       "quarter and from behind, of a plume in space from above as well, is within "
+                       "the bound. The nozzle is at the origin, x goes downstream to the tail, y "
+                       "to starboard, z up.");
     }
 
     int run(Context& context) const {
@@ -52,9 +60,7 @@ class PlumeCommand {
         PlumeModel plume;
         {
             const StageTimer::Scope scope(&context.timer, "compute");
-            plume = plumeModel(jet_.empty() ? irsg::PlumeTable::read(table_)
-                                            : roundJetFromText(jet_, "--jet").table(),
-                               request);
+            plume = jet_.empty() ? ofTable(request) : ofJet(request);
         }
         catchStopSignal(); // model, codes and database are those of one plume
         const StageTimer::Scope scope(&context.timer, "save");
@@ -67,6 +73,17 @@ class PlumeCommand {
     }
 
   private:
+    PlumeModel ofTable(const PlumeRequest& request) const {
+        const irsg::CsvTable csv = irsg::CsvTable::read(table_);
+        return irsg::arePlumePoints(csv) ? plumeModel(irsg::readPlumePoints(csv), request)
+                                         : plumeModel(irsg::PlumeTable::of(csv), request);
+    }
+    PlumeModel ofJet(const PlumeRequest& request) const {
+        const PlumeJet jet = plumeJetFromText(jet_, "--jet");
+        return jet.isStraight() ? plumeModel(jet.nozzle.table(), request)
+                                : plumeModel(irsg::bentJetField(jet.bent().flow(96, 56)), request,
+                                             jet.elevation_deg());
+    }
     PlumeRequest requestOf() const {
         std::vector<irsg::Diagnostic> diagnostics;
         PlumeRequest request;
@@ -78,9 +95,11 @@ class PlumeCommand {
         if (std::filesystem::path(out_).extension() != ".obj")
             diagnostics.push_back({"--out", "", out_.empty() ? "nothing" : out_, "FILE.obj"});
         request.bound = numbers_.value("--bound").value_or(request.bound);
-        if (!(request.bound > 0.0 && request.bound <= 1.0))
+        constexpr double largest = 0.5; // one zone of all gas, as long as the cold end, is within 1
+        if (!(request.bound > 0.0 && request.bound <= largest))
             diagnostics.push_back({"--bound", "", irsg::numberText(request.bound),
-                                   "a part of the radiant intensity above 0, up to 1"});
+                                   "a part of the radiant intensity above 0, up to 0.5: beyond it "
+                                   "one zone as long as the cold end would stand for all"});
         irsg::collect(diagnostics,
                       [&] { numbers_.takeWhole("--most-zones", request.most, 1.0, 40.0); });
         irsg::collect(diagnostics,
@@ -91,17 +110,20 @@ class PlumeCommand {
     }
 
     static void print(const PlumeModel& plume, const std::vector<std::filesystem::path>& files) {
-        fmt::print("{} zones\n", plume.zones.size());
+        fmt::print("{} zones\n", plume.zones);
+        std::size_t widest = 8;
         for (const irsg::PlumeZonesError& error : plume.errors)
-            fmt::print("  {:<8} {:.5g} W sr-1, of the table {:.5g}: {:+.2f} %\n", error.view,
-                       error.zones_W_sr, error.table_W_sr, 100.0 * error.relative());
+            widest = std::max(widest, error.view.size());
+        for (const irsg::PlumeZonesError& error : plume.errors)
+            fmt::print("  {:<{}} {:.5g} W sr-1, of the table {:.5g}: {:+.2f} %\n", error.view,
+                       widest, error.zones_W_sr, error.table_W_sr, 100.0 * error.relative());
         for (const std::filesystem::path& file : files)
             fmt::print("  {}\n", file.string());
     }
 
     static void printJson(const PlumeModel& plume,
                           const std::vector<std::filesystem::path>& files) {
-        nlohmann::ordered_json json{{"zones", plume.zones.size()}};
+        nlohmann::ordered_json json{{"zones", plume.zones}};
         for (const irsg::PlumeZonesError& error : plume.errors)
             json["views"].push_back({{"view", error.view},
                                      {"intensity_W_sr", error.zones_W_sr},

@@ -57,11 +57,10 @@ GasColumns::GasColumns(const std::vector<GasLayer>& gases, std::vector<double> w
     }
 }
 
-std::vector<std::vector<double>> GasColumns::shares(std::span<const GasStretch> column,
-                                                    std::size_t first) const {
-    const std::size_t places = wavenumbers_per_cm_.size();
-    std::vector<std::vector<double>> shares(gases_.size(), std::vector<double>(places, 0.0));
-    for (std::size_t place = 0; place < places; ++place) {
+template <typename Take>
+void GasColumns::walk(std::span<const GasStretch> column, std::size_t first,
+                      const Take& take) const {
+    for (std::size_t place = 0; place < wavenumbers_per_cm_.size(); ++place) {
         std::array<NarrowBandSum, hotGasCount> sums;
         std::array<double, hotGasCount> depths{};
         double soot = 0.0, before = 0.0;
@@ -80,11 +79,28 @@ std::vector<std::vector<double>> GasColumns::shares(std::span<const GasStretch> 
                 behind += depths[emitter];
             }
             if (i >= first)
-                shares[gas][place] += std::exp(-before) * -std::expm1(before - behind);
+                take(gas, place, std::exp(-before) * -std::expm1(before - behind));
             before = behind;
         }
     }
+}
+
+std::vector<std::vector<double>> GasColumns::shares(std::span<const GasStretch> column,
+                                                    std::size_t first) const {
+    std::vector<std::vector<double>> shares(gases_.size(),
+                                            std::vector<double>(wavenumbers_per_cm_.size(), 0.0));
+    walk(column, first,
+         [&](std::size_t gas, std::size_t place, double share) { shares[gas][place] += share; });
     return shares;
+}
+
+double GasColumns::weighted(std::span<const GasStretch> column,
+                            std::span<const double> weights) const {
+    double sum = 0.0;
+    walk(column, 0, [&](std::size_t gas, std::size_t place, double share) {
+        sum += weights[place * gases_.size() + gas] * share;
+    });
+    return sum;
 }
 
 } // namespace irsg

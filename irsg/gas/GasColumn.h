@@ -34,7 +34,15 @@ class GasColumns {
     std::vector<std::vector<double>> shares(std::span<const GasStretch> column,
                                             std::size_t first = 0) const;
 
+    /// The sum of the shares of all stretches, each times `weights[place * gases() + gas]`: what
+    /// they send, where that is the radiance of the gas as a black body over a cell about the
+    /// place.
+    double weighted(std::span<const GasStretch> column, std::span<const double> weights) const;
+
   private:
+    /// Calls take(gas, place, share) for each stretch from `first` on.
+    template <typename Take>
+    void walk(std::span<const GasStretch> column, std::size_t first, const Take& take) const;
     /// One gas of one of the mixtures at one wavenumber, per metre.
     struct PerMetre {
         double depth = 0.0, byCollision = 0.0, byDoppler = 0.0;

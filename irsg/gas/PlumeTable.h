@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "irsg/core/CsvTable.h"
 #include "irsg/gas/GasColumn.h"
+#include "irsg/gas/PlumeBand.h"
 #include "irsg/radiometry/Spectrum.h"
 
 namespace irsg {
@@ -19,6 +21,7 @@ class PlumeTable {
     /// in any order of rows; 2 at least of both, r from 0. Throws InputError with every diagnostic
     /// by file, line and column.
     static PlumeTable read(const std::filesystem::path& file);
+    static PlumeTable of(const CsvTable& csv);
     /// Nodes by x, then r; both ascending, r from 0. LogicError for another number of nodes.
     static PlumeTable ofNodes(std::vector<double> x_m, std::vector<double> r_m,
                               std::vector<GasLayer> nodes);
@@ -88,8 +91,7 @@ class PlumeIntensities {
     double radiance(const std::vector<GasLayer>& gases,
                     const std::vector<GasStretch>& column) const;
 
-    SpectralRange band_;
-    std::vector<double> wavenumbers_per_cm_, widths_um_;
+    PlumeBand band_;
     std::vector<View> views_;
 };
 

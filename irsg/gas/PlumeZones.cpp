@@ -1,13 +1,11 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numeric>
-#include <span>
 #include <utility>
 
 #include "irsg/core/Errors.h"
 #include "irsg/core/Interpolation.h"
 #include "irsg/core/ParallelFor.h"
+#include "irsg/gas/GasByTemperature.h"
 #include "irsg/gas/GasColumn.h"
 #include "irsg/gas/PlumeTable.h"
 #include "irsg/radiometry/Planck.h"
@@ -17,26 +15,10 @@ namespace irsg {
 
 namespace {
 
-/// What the gas at a place absorbs about 4.4 um, thin: only ratios count.
-double absorptionOf(const GasLayer& gas) {
-    constexpr double sootAsGas = 0.02; // a ppmv absorbs as so much of CO2
-    const double fractions = gas.fraction(HotGas::CO2) + 0.3 * gas.fraction(HotGas::H2O) +
-                             gas.fraction(HotGas::CO) + gas.fraction(HotGas::CH4) +
-                             sootAsGas * gas.soot_ppmv;
-    return fractions * gas.pressure_atm / gas.temperature_K;
-}
-
-/// A small ring of the plume.
-struct Ring {
-    GasLayer gas;
-    double counts = 0.0; ///< of all rings 1: half by emission, half by absorption
-};
-
-/// All of a table in rings of a quarter of its cells, hottest first.
-std::vector<Ring> ringsOf(const PlumeTable& table) {
+/// All of a table in rings of a quarter of its cells.
+std::vector<PlumePart> ringsOf(const PlumeTable& table) {
     constexpr int perCell = 4;
-    std::vector<Ring> rings;
-    std::vector<double> absorbs, emits;
+    std::vector<PlumePart> rings;
     const auto finer = [](const std::vector<double>& nodes, auto visit) {
         for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
             for (int k = 0; k < perCell; ++k)
@@ -45,100 +27,11 @@ std::vector<Ring> ringsOf(const PlumeTable& table) {
     };
     finer(table.x_m(), [&](double x_m, double length_m) {
         finer(table.r_m(), [&](double r_m, double width_m) {
-            constexpr double at_um = 4.4;
-            Ring ring{table.at(x_m, r_m), 0.0};
-            absorbs.push_back(absorptionOf(ring.gas) * r_m * width_m * length_m);
-            emits.push_back(absorbs.back() *
-                            planckRadiance_W_m2_sr_um(at_um, ring.gas.temperature_K));
-            rings.push_back(ring);
+            const GasLayer gas = table.at(x_m, r_m);
+            rings.push_back({gas, thinAbsorption(gas) * r_m * width_m * length_m});
         });
     });
-    const double allAbsorbs = std::accumulate(absorbs.begin(), absorbs.end(), 0.0);
-    const double allEmits = std::accumulate(emits.begin(), emits.end(), 0.0);
-    if (!(allEmits > 0.0))
-        throw InputError({"plume", "", "no CO2, H2O, CO, CH4 or soot", "a gas that emits"});
-    for (std::size_t i = 0; i < rings.size(); ++i)
-        rings[i].counts = 0.5 * (absorbs[i] / allAbsorbs + emits[i] / allEmits);
-    std::ranges::sort(rings, std::greater(), [](const Ring& r) { return r.gas.temperature_K; });
     return rings;
-}
-
-/// Of rings that follow one another, weighted with what they count.
-GasLayer meanOf(std::span<const Ring> rings) {
-    GasLayer mean;
-    mean.temperature_K = mean.pressure_atm = 0.0;
-    double all = 0.0;
-    for (const Ring& ring : rings) {
-        const GasLayer& gas = ring.gas;
-        all += ring.counts;
-        mean.temperature_K += ring.counts * gas.temperature_K;
-        mean.pressure_atm += ring.counts * gas.pressure_atm;
-        for (std::size_t g = 0; g < hotGasCount; ++g)
-            mean.moleFraction[g] += ring.counts * gas.moleFraction[g];
-        mean.oxygenFraction += ring.counts * gas.oxygenFraction;
-        mean.soot_ppmv += ring.counts * gas.soot_ppmv;
-    }
-    for (double* value :
-         {&mean.temperature_K, &mean.pressure_atm, &mean.oxygenFraction, &mean.soot_ppmv})
-        *value /= all;
-    for (double& fraction : mean.moleFraction)
-        fraction /= all;
-    return mean;
-}
-
-/// Ends of runs of rings, hottest first, at most `count` of them, in which temperatures differ
-/// least (W. D. Fisher 1958, J. Am. Stat. Assoc. 53, 789): as their roots above the coldest, for
-/// which zones of jets leave the least errors from all sides, rings counting as they
-/// do. Rings of one temperature stay together.
-std::vector<std::size_t> parted(const std::vector<Ring>& rings, std::size_t count) {
-    constexpr double steps = 400.0;
-    const double coldest_K = rings.back().gas.temperature_K;
-    const auto rootOf = [&](const Ring& ring) {
-        return std::sqrt(ring.gas.temperature_K - coldest_K);
-    };
-    const double highest = rootOf(rings.front()), lowest = rootOf(rings.back());
-    struct Sums {
-        std::size_t end = 0; ///< ring
-        double weight = 0.0, first = 0.0, second = 0.0;
-    };
-    std::vector<Sums> sums(1); // of all rings before the end of each step
-    double step = -1.0;
-    for (std::size_t i = 0; i < rings.size(); ++i) {
-        const double root = rootOf(rings[i]);
-        const double own =
-            highest > lowest ? std::floor(steps * (highest - root) / (highest - lowest)) : 0.0;
-        if (std::exchange(step, own) != own)
-            sums.push_back(sums.back());
-        Sums& all = sums.back();
-        all.end = i + 1;
-        all.weight += rings[i].counts;
-        all.first += rings[i].counts * root;
-        all.second += rings[i].counts * root * root;
-    }
-    const auto costOf = [&](std::size_t from, std::size_t to) {
-        const double weight = sums[to].weight - sums[from].weight;
-        const double first = sums[to].first - sums[from].first;
-        return weight > 0.0 ? sums[to].second - sums[from].second - first * first / weight : 0.0;
-    };
-    const std::size_t all = sums.size() - 1, most = std::min(count, all);
-    // Of the steps before each one in so many runs: the least cost, and where the last begins.
-    std::vector<std::vector<std::pair<double, std::size_t>>> best(most + 1);
-    best[0].assign(all + 1, {std::numeric_limits<double>::infinity(), 0});
-    best[0][0].first = 0.0;
-    for (std::size_t runs = 1; runs <= most; ++runs) {
-        best[runs].assign(all + 1, best[0][1]);
-        for (std::size_t to = runs; to <= all; ++to)
-            for (std::size_t from = runs - 1; from < to; ++from) {
-                const double cost = best[runs - 1][from].first + costOf(from, to);
-                if (cost < best[runs][to].first)
-                    best[runs][to] = {cost, from};
-            }
-    }
-    std::vector<std::size_t> ends;
-    for (std::size_t runs = most, to = all; runs > 0; to = best[runs--][to].second)
-        ends.push_back(sums[to].end);
-    std::ranges::reverse(ends);
-    return ends;
 }
 
 /// How far from the axis the gas at x, a part of the way from a node to the next, is as hot; 0
@@ -225,23 +118,9 @@ void checkFallsOutwards(const PlumeTable& table) {
 
 std::vector<PlumeZone> plumeZones(const PlumeTable& table, std::size_t count) {
     checkFallsOutwards(table);
-    std::vector<Ring> rings = ringsOf(table);
-    // What is colder than all that counts would be spread over much air.
-    constexpr double countsNot = 1e-3;
-    double rest = 0.0;
-    while (rings.size() > 1 && rest + rings.back().counts < countsNot) {
-        rest += rings.back().counts;
-        rings.pop_back();
-    }
     std::vector<PlumeZone> zones; // hottest first
-    std::size_t first = 0;
-    for (const std::size_t next : parted(rings, count)) {
-        const bool isAll = next == rings.size() && rest == 0.0;
-        const double from_K = isAll ? 0.0 : rings[next - 1].gas.temperature_K;
-        zones.push_back({meanOf(std::span(rings).subspan(first, next - first)), from_K,
-                         outlinesOf(table, from_K)});
-        first = next;
-    }
+    for (const PlumeRun& run : GasByTemperature(ringsOf(table)).parted(count))
+        zones.push_back({run.gas, run.from_K, outlinesOf(table, run.from_K)});
     std::erase_if(zones, [](const PlumeZone& zone) { return zone.outlines_m.empty(); });
     std::ranges::reverse(zones);
     return zones;
@@ -249,18 +128,6 @@ std::vector<PlumeZone> plumeZones(const PlumeTable& table, std::size_t count) {
 
 PlumeIntensities::PlumeIntensities(const PlumeTable& table, const SpectralRange& band, int fineness)
     : band_(band) {
-    // Zones and table are summed at the same places, at most as fine as the tables of gases.
-    constexpr double finest_per_cm = 5.0, coarsest_per_cm = 20.0, about = 30.0;
-    const double lower = wavenumberFromWavelength_per_cm(band.max_um);
-    const double upper = wavenumberFromWavelength_per_cm(band.min_um);
-    const double step_per_cm = std::clamp((upper - lower) / about, finest_per_cm, coarsest_per_cm);
-    const auto cells = static_cast<int>(std::ceil((upper - lower) / step_per_cm));
-    for (int i = 0; i < cells; ++i) {
-        const double from = lower + (upper - lower) * i / cells,
-                     to = lower + (upper - lower) * (i + 1) / cells;
-        wavenumbers_per_cm_.push_back(0.5 * (from + to));
-        widths_um_.push_back(wavelengthFromWavenumber_um(from) - wavelengthFromWavenumber_um(to));
-    }
     const int along = 72 * fineness, across = 24 * fineness, deep = 120 * fineness;
     for (const auto& [name, angle_deg] :
          {std::pair("side", 90.0), std::pair("quarter", 45.0), std::pair("tail", 10.0)}) {
@@ -358,15 +225,15 @@ double PlumeIntensities::radiance(const std::vector<GasLayer>& gases,
                                   const std::vector<GasStretch>& column) const {
     if (column.empty())
         return 0.0;
-    const auto shares = GasColumns(gases, wavenumbers_per_cm_).shares(column);
+    const auto shares = GasColumns(gases, band_.wavenumbers_per_cm).shares(column);
     double sum = 0.0;
     for (std::size_t g = 0; g < gases.size(); ++g)
-        for (std::size_t i = 0; i < wavenumbers_per_cm_.size(); ++i)
+        for (std::size_t i = 0; i < band_.wavenumbers_per_cm.size(); ++i)
             if (shares[g][i] > 0.0)
-                sum +=
-                    widths_um_[i] * shares[g][i] *
-                    planckRadiance_W_m2_sr_um(wavelengthFromWavenumber_um(wavenumbers_per_cm_[i]),
-                                              gases[g].temperature_K);
+                sum += band_.widths_um[i] * shares[g][i] *
+                       planckRadiance_W_m2_sr_um(
+                           wavelengthFromWavenumber_um(band_.wavenumbers_per_cm[i]),
+                           gases[g].temperature_K);
     return sum;
 }
 

@@ -15,6 +15,7 @@ constexpr double carbon_g_mol = 12.011, hydrogen_g_mol = 1.008, air_g_mol = 28.9
 constexpr double oxygenOfAir = 0.2095;
 constexpr double coreOverDiameter = 5.0, velocityOverPart = 6.2 / 5.0;
 constexpr double velocityPower = (0.11 / 0.086) * (0.11 / 0.086);
+constexpr double longestOverDiameter = 500.0;
 constexpr std::size_t alongNodes = 60, acrossNodes = 40;
 
 /// The part of the nozzle's gas across the jet, at one distance from the nozzle.
@@ -122,12 +123,30 @@ GasLayer RoundJet::nozzleGas() const {
     return gas;
 }
 
+GasLayer ExhaustInAir::at(double part) const {
+    GasLayer gas = cold_;
+    gas.temperature_K = std::lerp(cold_.temperature_K, hot_.temperature_K, part);
+    for (std::size_t g = 0; g < hotGasCount; ++g)
+        gas.moleFraction[g] = part * std::max(0.0, hot_.moleFraction[g] - cold_.moleFraction[g]);
+    gas.oxygenFraction = std::lerp(cold_.oxygenFraction, hot_.oxygenFraction, part);
+    // Thinned by volume, too, since hot gas shrinks as it cools.
+    gas.soot_ppmv = hot_.soot_ppmv * part * hot_.temperature_K / gas.temperature_K;
+    return gas;
+}
+
 PlumeTable RoundJet::table() const {
-    const GasLayer hot = nozzleGas(), cold = air();
+    const ExhaustInAir exhaust(*this);
     const double coflow = coflow_m_s / velocity_m_s;
     const double core_m = coreOverDiameter * diameter_m * std::sqrt(air_K / temperature_K) *
                           (1.0 + coflow) / (1.0 - coflow);
     const double length_m = core_m / endsAt;
+    if (length_m > longestOverDiameter * diameter_m)
+        throw InputError({"jet", "ends_at", numberText(endsAt),
+                          numberText(std::ceil(100.0 * core_m / diameter_m / longestOverDiameter) /
+                                     100.0) +
+                              " at least: with this co-flow the jet is " +
+                              numberText(std::round(length_m / diameter_m)) +
+                              " diameters long there, and 500 are the most"});
     std::vector<double> x_m, r_m;
     std::vector<Across> acrosses;
     for (std::size_t i = 0; i < alongNodes; ++i) { // by squares: it is short-lived at the nozzle
@@ -144,18 +163,8 @@ PlumeTable RoundJet::table() const {
     }
     std::vector<GasLayer> nodes;
     for (const Across& across : acrosses)
-        for (const double r : r_m) {
-            const double part = across.onAxis * across.bell(r);
-            GasLayer& gas = nodes.emplace_back(cold);
-            gas.temperature_K = std::lerp(cold.temperature_K, hot.temperature_K, part);
-            // The rest of the air's own gases is in the air of the scene.
-            for (std::size_t g = 0; g < hotGasCount; ++g)
-                gas.moleFraction[g] =
-                    part * std::max(0.0, hot.moleFraction[g] - cold.moleFraction[g]);
-            gas.oxygenFraction = std::lerp(cold.oxygenFraction, hot.oxygenFraction, part);
-            // Thinned by volume, too, since hot gas shrinks as it cools.
-            gas.soot_ppmv = hot.soot_ppmv * part * hot.temperature_K / gas.temperature_K;
-        }
+        for (const double r : r_m)
+            nodes.push_back(exhaust.at(across.onAxis * across.bell(r)));
     return PlumeTable::ofNodes(std::move(x_m), std::move(r_m), std::move(nodes));
 }
 

@@ -29,10 +29,22 @@ struct RoundJet {
     /// mass fraction 5 and velocity 6.2 such diameters over the distance, squares of half widths as
     /// 0.11 to 0.086). Across it is a bell, as wide as keeps the flow of exhaust. Air that goes
     /// along with the part s of the velocity stretches all lengths by (1 + s) / (1 - s) (G. N.
-    /// Abramovich 1963, The Theory of Turbulent Jets). Temperature and fractions follow the part:
-    /// of CO2 and water the table has what the exhaust holds more than the air, whose own gases the
-    /// air of a scene has already.
+    /// Abramovich 1963, The Theory of Turbulent Jets). Gas is that of ExhaustInAir.
+    /// InputError for a table of more than 500 diameters.
     PlumeTable table() const;
+};
+
+/// Exhaust thinned by air: temperature and fractions follow the part of exhaust; of CO2 and water
+/// it has what the exhaust holds more than the air, whose own gases the air of a scene has already.
+class ExhaustInAir {
+  public:
+    /// Throws what RoundJet::nozzleGas() throws.
+    explicit ExhaustInAir(const RoundJet& jet) : hot_(jet.nozzleGas()), cold_(jet.air()) {}
+    /// `part`: 0 to 1.
+    GasLayer at(double part) const;
+
+  private:
+    GasLayer hot_, cold_;
 };
 
 } // namespace irsg

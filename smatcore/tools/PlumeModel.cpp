@@ -8,6 +8,9 @@
 
 #include "irsg/core/Errors.h"
 #include "irsg/core/FileReplacement.h"
+#include "irsg/gas/FieldWalls.h"
+#include "irsg/gas/FieldZones.h"
+#include "irsg/gas/GasByTemperature.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/signature/SignatureFile.h"
 #include "smatcore/tools/GasEntries.h"
@@ -16,7 +19,7 @@ namespace smat {
 
 namespace {
 
-/// Surfaces of revolution as a Wavefront file, whose y is up and whose -z is our nose.
+/// Closed surfaces as a Wavefront file, whose y is up and whose -z is our nose.
 class ObjectText {
   public:
     explicit ObjectText(int sides)
@@ -24,8 +27,25 @@ class ObjectText {
         : sides_(sides),
           wider_(std::sqrt(2.0 * irsg::pi / (sides * std::sin(2.0 * irsg::pi / sides)))) {}
 
+    /// Of a field, turned upwards.
+    void add(const std::string& material, const irsg::FieldWalls::Surface& surface,
+             double elevation_deg) {
+        begin(material);
+        const double cosine = std::cos(irsg::radians(elevation_deg));
+        const double sine = std::sin(irsg::radians(elevation_deg));
+        const int before = count_ + 1;
+        for (const auto& [x_m, y_m, z_m] : surface.vertices_m) {
+            ++count_;
+            text_ += fmt::format("v {:.9g} {:.9g} {:.9g}\n", y_m, x_m * sine + z_m * cosine,
+                                 x_m * cosine - z_m * sine);
+        }
+        for (const auto& [a, b, c] : surface.triangles)
+            addFace(before + static_cast<int>(a), before + static_cast<int>(b),
+                    before + static_cast<int>(c));
+    }
+    /// Of revolution.
     void add(const std::string& material, const std::vector<std::array<double, 2>>& outline) {
-        text_ += "g " + material + "\nusemtl " + material + "\n";
+        begin(material);
         std::vector<int> first; // vertex of each ring
         for (const auto& [x_m, r_m] : outline) {
             first.push_back(count_ + 1);
@@ -50,6 +70,9 @@ class ObjectText {
     const std::string& text() const { return text_; }
 
   private:
+    void begin(const std::string& material) {
+        text_ += "g " + material + "\nusemtl " + material + "\n";
+    }
     void addVertex(double x_m, double r_m, int side) {
         const double angle = 2.0 * irsg::pi * side / sides_;
         ++count_;
@@ -72,37 +95,70 @@ void insetEnds(std::vector<std::array<double, 2>>& outline, double by_m) {
         outline.back()[0] -= std::min(by_m, 0.5 * (outline[last][0] - outline[last - 1][0]));
 }
 
-void fill(PlumeModel& plume, const PlumeRequest& request) {
+/// A zone before its shape is written.
+struct ZoneGas {
+    irsg::GasLayer gas;
+    double from_K = 0.0;
+};
+
+/// Codes, database and model of zones; `add(object, name, number)` writes the shape of one.
+template <typename Add>
+void fill(PlumeModel& plume, const PlumeRequest& request, const std::vector<ZoneGas>& zones,
+          const Add& add) {
     ObjectText object(request.sides);
     nlohmann::ordered_json rules = nlohmann::ordered_json::array();
-    // Ends of zones at the ends of the table do not lie in one plane. The first zone is all of it.
-    const auto& whole = plume.zones.front().outlines_m.front();
-    const double apart_m = 1e-5 * (whole.back()[0] - whole.front()[0]);
-    for (std::size_t i = 0; i < plume.zones.size(); ++i) {
-        const irsg::PlumeZone& zone = plume.zones[i];
+    for (std::size_t i = 0; i < zones.size(); ++i) {
+        const irsg::GasLayer& gas = zones[i].gas;
         const int index = request.firstIndex + static_cast<int>(i);
         const std::string name = "zone_" + std::to_string(index);
-        for (std::vector<std::array<double, 2>> outline : zone.outlines_m) {
-            insetEnds(outline, static_cast<double>(i) * apart_m);
-            object.add(name, outline);
-        }
+        add(object, name, i);
         rules.push_back(
             {{"material", name}, {"temperatureIndex", index}, {"materialIndex", index}});
         irsg::TemperatureEntry temperature;
         temperature.name = name;
-        temperature.terms.base_K = zone.gas.temperature_K;
-        temperature.notes =
-            "mean of the plume's nodes from " + irsg::numberText(std::round(zone.from_K)) + " K on";
+        temperature.terms.base_K = gas.temperature_K;
+        temperature.notes = "mean of the plume's nodes from " +
+                            irsg::numberText(std::round(zones[i].from_K)) + " K on";
         plume.database.temperatures.emplace(index, std::move(temperature));
         plume.database.materials.emplace(
-            index, gasMaterial(zone.gas, name,
+            index, gasMaterial(gas, name,
                                "mean of the plume's nodes in this zone, weighted with what they "
                                "emit"));
     }
+    plume.zones = zones.size();
     plume.database.title = "plume";
     plume.object = object.text();
     const nlohmann::ordered_json codes{{"format", "smat-codes"}, {"version", 1}, {"rules", rules}};
     plume.codes = codes.dump(1) + "\n";
+}
+
+/// So many zones as the bound takes: `zonesOf(count)` makes them, `errorsOf(zones)` compares them.
+template <typename ZonesOf, typename ErrorsOf>
+auto enoughZones(const PlumeRequest& request, const char* otherwise, const ZonesOf& zonesOf,
+                 const ErrorsOf& errorsOf) {
+    struct Enough {
+        decltype(zonesOf(request.fewest)) zones;
+        PlumeModel plume;
+    };
+    Enough best;
+    for (std::size_t count = request.fewest; count <= request.most; ++count) {
+        Enough found;
+        found.zones = zonesOf(count);
+        found.plume.errors = errorsOf(found.zones);
+        if (best.zones.empty() || found.plume.largestError() < best.plume.largestError())
+            best = std::move(found);
+        if (best.plume.largestError() <= request.bound)
+            break;
+    }
+    if (!(best.plume.largestError() <= request.bound))
+        throw irsg::InputError(
+            {"plume", "bound",
+             fmt::format("an error of {:.2g} with {} zones, the best of {} to {}",
+                         best.plume.largestError(), best.zones.size(), request.fewest,
+                         request.most),
+             fmt::format("at most {:.2g}: allow more zones or a larger bound; {}", request.bound,
+                         otherwise)});
+    return best;
 }
 
 } // namespace
@@ -117,26 +173,50 @@ double PlumeModel::largestError() const {
 PlumeModel plumeModel(const irsg::PlumeTable& table, const PlumeRequest& request) {
     irsg::plumeZones(table, request.fewest); // what is refused is refused at once
     const irsg::PlumeIntensities intensities(table, request.band);
-    PlumeModel best;
-    for (std::size_t count = request.fewest; count <= request.most; ++count) {
-        PlumeModel plume;
-        plume.zones = irsg::plumeZones(table, count);
-        plume.errors = intensities.errorsOf(plume.zones);
-        if (best.zones.empty() || plume.largestError() < best.largestError())
-            best = std::move(plume);
-        if (best.largestError() <= request.bound)
-            break;
+    auto [zones, plume] = enoughZones(
+        request, "gas of one temperature is taken as alike all along the axis",
+        [&](std::size_t count) { return irsg::plumeZones(table, count); },
+        [&](const auto& of) { return intensities.errorsOf(of); });
+    std::vector<ZoneGas> gases;
+    for (const irsg::PlumeZone& zone : zones)
+        gases.push_back({zone.gas, zone.from_K});
+    // Ends of zones at the ends of the table do not lie in one plane. The first zone is all of it.
+    const auto& whole = zones.front().outlines_m.front();
+    const double apart_m = 1e-5 * (whole.back()[0] - whole.front()[0]);
+    fill(plume, request, gases, [&](ObjectText& object, const std::string& name, std::size_t i) {
+        for (std::vector<std::array<double, 2>> outline : zones[i].outlines_m) {
+            insetEnds(outline, static_cast<double>(i) * apart_m);
+            object.add(name, outline);
+        }
+    });
+    return std::move(plume);
+}
+
+PlumeModel plumeModel(const irsg::PlumeField& field, const PlumeRequest& request,
+                      double elevation_deg) {
+    constexpr std::size_t nodesOfWalls = 40000;
+    const irsg::GasByTemperature gas(field.parts());
+    std::vector<irsg::PlumeView> views = irsg::plumeViews();
+    const double cosine = std::cos(irsg::radians(elevation_deg));
+    const double sine = std::sin(irsg::radians(elevation_deg));
+    for (irsg::PlumeView& view : views) {
+        const auto [aft, starboard, up] = view.towards;
+        view.towards = {aft * cosine + up * sine, starboard, up * cosine - aft * sine};
     }
-    if (!(best.largestError() <= request.bound))
-        throw irsg::InputError(
-            {"plume", "bound",
-             fmt::format("an error of {:.2g} with {} zones, the best of {} to {}",
-                         best.largestError(), best.zones.size(), request.fewest, request.most),
-             fmt::format("at most {:.2g}: allow more zones or a larger bound; gas of one "
-                         "temperature is taken as alike all along the axis",
-                         request.bound)});
-    fill(best, request);
-    return best;
+    const irsg::FieldIntensities intensities(field,
+                                             irsg::FieldWalls(field, gas.coldest_K(), nodesOfWalls),
+                                             irsg::PlumeBand(request.band), views);
+    auto [zones, plume] = enoughZones(
+        request, "gas of one temperature is taken as alike everywhere",
+        [&](std::size_t count) { return irsg::fieldZones(gas, count); },
+        [&](const auto& of) { return intensities.errorsOf(of); });
+    std::vector<ZoneGas> gases;
+    for (const irsg::FieldZone& zone : zones)
+        gases.push_back({zone.gas, zone.from_K});
+    fill(plume, request, gases, [&](ObjectText& object, const std::string& name, std::size_t i) {
+        object.add(name, intensities.walls().surfaceFrom(zones[i].from_K), elevation_deg);
+    });
+    return std::move(plume);
 }
 
 std::vector<std::filesystem::path> savePlume(const PlumeModel& plume,

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "irsg/gas/PlumeField.h"
 #include "irsg/gas/PlumeTable.h"
 #include "irsg/signature/SignatureDatabase.h"
 
@@ -21,7 +22,7 @@ struct PlumeRequest {
 
 /// A plume as gas zones for scenes: its nozzle at the origin, downstream towards -y, the tail.
 struct PlumeModel {
-    std::vector<irsg::PlumeZone> zones;
+    std::size_t zones = 0;
     std::vector<irsg::PlumeZonesError> errors;
     irsg::SignatureDatabase database;
     std::string object; ///< Wavefront .obj, materials zone_INDEX
@@ -32,6 +33,10 @@ struct PlumeModel {
 /// As many zones as the bound takes. Throws InputError where `most` zones do not reach it, with
 /// the error that they leave, and for what plumeZones() refuses.
 PlumeModel plumeModel(const irsg::PlumeTable& table, const PlumeRequest& request);
+/// The same of a field in space, whose zones end at surfaces of equal temperature. Its first axis
+/// goes downstream by so many degrees over the horizon, the second to starboard.
+PlumeModel plumeModel(const irsg::PlumeField& field, const PlumeRequest& request,
+                      double elevation_deg = 0.0);
 
 /// Writes NAME.obj, NAME.codes.json and NAME.sigdb.
 std::vector<std::filesystem::path> savePlume(const PlumeModel& plume,

@@ -261,6 +261,13 @@ TEST_F(SmatBatchPlume, IsRefusedWhereTheBoundIsNotReached) {
     EXPECT_FALSE(std::filesystem::exists(folder / "plume.obj"));
 }
 
+TEST_F(SmatBatchPlume, IsNotOneZoneAsLongAsItsColdEnd) {
+    const Ran ran = run({"--bound", "1", "--out", "plume.obj"});
+    EXPECT_EQ(ran.exitCode, 2);
+    EXPECT_THAT(ran.err, HasSubstr("--bound: found 1"));
+    EXPECT_THAT(ran.err, HasSubstr("as long as the cold end"));
+}
+
 TEST_F(SmatBatchPlume, NamesEveryWrongOption) {
     const Ran ran = run({"--bound", "2", "--band", "5-3", "--most-zones", "0", "--out", "a.flt"});
     EXPECT_EQ(ran.exitCode, 2);

@@ -18,6 +18,7 @@
 #include "irsg/core/Errors.h"
 #include "irsg/core/FileReading.h"
 #include "irsg/core/Remarks.h"
+#include "irsg/gas/PlumePoints.h"
 #include "irsg/gas/PlumeTable.h"
 #include "irsg/image/CsvImage.h"
 #include "irsg/radiometry/Band.h"
@@ -322,6 +323,21 @@ const std::vector<ColumnReader>& readers() {
                  }
              }
              return digest.addAll(plume.x_m()).addAll(plume.r_m()).text();
+         }},
+        {"plume points",
+         "x [m],y [m],z [m],T [K],p [atm],CO2,soot [ppmv]\n0,0,0,1200.5,1,0.125,0.5\n"
+         "0,0,1.5,900.5,1,0.0625,0.25\n0,1.5,0,1000.5,1,0.25,1.5\n0,1.5,1.5,800.25,1,0.03125,0\n"
+         "2.5,0,0,1100.5,1,0.125,0.5\n2.5,0,1.5,850.5,1,0.0625,0.25\n"
+         "2.5,1.5,0,950.5,1,0.25,1.5\n2.5,1.5,1.5,750.25,1,0.03125,0\n",
+         [](File file) {
+             const auto field = irsg::readPlumePoints(irsg::CsvTable::read(file));
+             Digest digest;
+             for (const irsg::PlumeField::Node& node : field.nodes()) {
+                 irsg::GasLayer gas = node.gas();
+                 digest.add(gas.temperature_K).add(gas.pressure_atm);
+                 digest.add(gas.fraction(irsg::HotGas::CO2)).add(gas.soot_ppmv);
+             }
+             return digest.addAll(field.axes_m()[0]).addAll(field.axes_m()[2]).text();
          }},
         {"MODTRAN",
          test::modtranCsvText(),

@@ -16,6 +16,7 @@
 #include "irsg/core/Errors.h"
 #include "irsg/core/FileReading.h"
 #include "irsg/gas/NarrowBandTable.h"
+#include "irsg/gas/PlumePoints.h"
 #include "irsg/gas/PlumeTable.h"
 #include "irsg/geometry/model/Model.h"
 #include "irsg/geometry/reading/IrCodes.h"
@@ -238,6 +239,13 @@ const char* const ascent = "altitude [m],pressure [hPa],temperature [K],relative
                            "0,1013,290,50\n1000,900,284,40\n2000,800,278,30\n";
 const char* const materials = "newmtl m\nKd 0.5 0.5 0.5\nKa 1 1 1\nNs 10\nd 0.5\nmap_Kd a.png\n";
 
+const char* const plumePoints = "x [m],y [m],z [m],T [K],CO2,soot [ppmv]\n"
+                                "0,0,0,900,0.1,0\n0,0.5,0.25,700,0.05,1\n1,0,1,800,0.1,0\n"
+                                "1,1,0.5,500,0.02,2\n0.5,0.5,0.5,600,0.1,0\n0.25,1,0,400,0,0\n"
+                                "2,0,0,500,0.1,0\n2,1,1,400,0.1,0\n1.5,0.5,0,450,0.1,0\n";
+const char* const plumeGrid = "x [m],y [m],z [m],T [K],H2O\n0,0,0,900,0.1\n0,0,1,700,0.1\n"
+                              "0,1,0,600,0.1\n0,1,1,500,0.1\n1,0,0,800,0.1\n1,0,1,600,0.1\n"
+                              "1,1,0,500,0.1\n1,1,1,400,0.1\n";
 const char* const plume = "x [m],r [m],T [K],p [atm],CO2,H2O,soot [ppmv]\n"
                           "0,0,1200,1,0.1,0.1,0.5\n0,0.5,900,1,0.05,0.1,0.2\n0,1,300,1,0,0.01,0\n"
                           "2,0,900,1,0.1,0.1,0.5\n2,0.5,600,1,0.05,0.1,0.2\n2,1,290,1,0,0.01,0\n";
@@ -279,6 +287,11 @@ std::vector<FuzzedReader> packedReaders() {
          [](File f) { irsg::plumeZones(irsg::PlumeTable::read(f), 4); },
          {},
          {plume}},
+        {"plume-points",
+         ".csv",
+         [](File f) { irsg::readPlumePoints(irsg::CsvTable::read(f)).parts(); },
+         {},
+         {plumePoints, plumeGrid}},
         {"narrow-band", ".csv", [](File f) { irsg::NarrowBandTable::read(f); }, {}, {narrowBands}},
         {"model-codes",
          ".codes.json",

@@ -59,6 +59,23 @@ TEST(RoundJet, IsLongerInAirThatGoesAlong) {
     EXPECT_NEAR(along.table().x_m().back() / still.table().x_m().back(), 3.0, 1e-9);
 }
 
+TEST(RoundJet, IsRefusedWhereACoflowMakesItEndless) {
+    RoundJet jet;
+    jet.coflow_m_s = 180.0;
+    try {
+        jet.table();
+        FAIL() << "950 diameters";
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("ends_at: found 0.06, expected 0.12 at least"),
+                  std::string::npos)
+            << error.what();
+        EXPECT_NE(std::string(error.what()).find("950 diameters long"), std::string::npos)
+            << error.what();
+    }
+    jet.endsAt = 0.12;
+    EXPECT_NEAR(jet.table().x_m().back() / jet.diameter_m, 475.0, 1.0);
+}
+
 TEST(RoundJet, NamesWhatCannotBe) {
     RoundJet jet;
     jet.fuelAirRatio = 0.1;

@@ -8,6 +8,10 @@
 #include <string>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "irsg/core/FileReplacement.h"
+
 namespace smat {
 namespace {
 
@@ -169,6 +173,18 @@ void addGasZones(ModelWriter& writer, const std::vector<irsg::PlumeZone>& zones,
             const FlightSurface of{"zone" + std::to_string(z + 1), {index, index}, false, look};
             tubeOf(own, axis, across).write(writer, of, side, apart_m * (number + 1.0));
         }
+}
+
+void savePlumeTable(const irsg::PlumeTable& table, const std::filesystem::path& file) {
+    std::string text = "x [m],r [m],T [K],CO2,H2O,O2\n";
+    for (std::size_t x = 0; x < table.x_m().size(); ++x)
+        for (std::size_t r = 0; r < table.r_m().size(); ++r) {
+            const irsg::GasLayer& gas = table.node(x, r);
+            text += fmt::format("{:.5g},{:.5g},{:.6g},{:.5g},{:.5g},{:.5g}\n", table.x_m()[x],
+                                table.r_m()[r], gas.temperature_K, gas.fraction(irsg::HotGas::CO2),
+                                gas.fraction(irsg::HotGas::H2O), gas.oxygenFraction);
+        }
+    irsg::writeFileDurably(file, text);
 }
 
 } // namespace smat

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <vector>
 
@@ -38,5 +39,8 @@ void addGasTube(ModelWriter& writer, const std::vector<std::array<double, 2>>& o
 void addGasZones(ModelWriter& writer, const std::vector<irsg::PlumeZone>& zones,
                  const PlumeAxis& axis, const irsg::Vec3& across, std::int32_t first,
                  const Look& look, double side = 0.0);
+
+/// Writes a table as `smat-batch plume` reads it.
+void savePlumeTable(const irsg::PlumeTable& table, const std::filesystem::path& file);
 
 } // namespace smat

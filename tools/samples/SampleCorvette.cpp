@@ -6,7 +6,6 @@
 #include <numbers>
 #include <vector>
 
-#include "tools/samples/BentJet.h"
 #include "tools/samples/CorvetteParts.h"
 #include "tools/samples/GasZones.h"
 
@@ -239,17 +238,24 @@ void addFunnel(FlightWriter& writer, double side) {
 
 /// The gas over a funnel, which the wind bends aft, and that in it.
 void addPlume(FlightWriter& writer, double side) {
-    const BentJet jet = corvetteJet(side);
-    const BentJet::Flow flow = jet.flow();
-    addGasZones(writer, irsg::plumeZones(flow.table, corvetteZones), flow.axis, flow.across,
-                firstGas, gas, side);
+    const irsg::BentJet jet = corvetteJet(side);
+    const irsg::BentJet::Flow flow = jet.flow();
+    const auto vector = [](const irsg::GasVector& v) { return Vec3{v[0], v[1], v[2]}; };
+    const Vec3 place = vector(jet.place_m), along = vector(jet.along);
+    const Vec3 across = normalized(cross(along, vector(jet.wind_m_s)));
+    const auto axis = [&](double along_m) {
+        const irsg::BentJet::Section at = flow.axisAt(along_m);
+        return AxisPlace{vector(at.place_m), vector(at.along)};
+    };
+    addGasZones(writer, irsg::plumeZones(flow.table, corvetteZones), axis, across, firstGas, gas,
+                side);
     constexpr double deep_m = 2.35, radius_m = 0.65;
     constexpr std::int32_t index = firstGas + static_cast<std::int32_t>(corvetteZones);
     addGasTube(writer, {{-deep_m, radius_m}, {-0.002, radius_m}},
                [&](double along_m) {
-                   return AxisPlace{jet.place + jet.along * along_m, jet.along};
+                   return AxisPlace{place + along * along_m, along};
                },
-               flow.across, {"inner", {index, index}, false, gas});
+               across, {"inner", {index, index}, false, gas});
 }
 
 } // namespace
@@ -272,15 +278,15 @@ FlightWriter corvetteModel() {
     return writer;
 }
 
-BentJet corvetteJet(double side) {
-    BentJet jet;
+irsg::BentJet corvetteJet(double side) {
+    irsg::BentJet jet;
     jet.nozzle.diameter_m = 1.3;
     jet.nozzle.temperature_K = 547.0;
     jet.nozzle.velocity_m_s = 18.0;
     jet.nozzle.fuelAirRatio = 0.02;
     jet.nozzle.air_K = 286.0;
     jet.nozzle.endsAt = 0.15;
-    jet.place = {2.7 * side, -6.0, 12.2};
+    jet.place_m = {2.7 * side, -6.0, 12.2};
     jet.along = {0.0, 0.0, 1.0};
     jet.wind_m_s = {0.0, -4.0, 0.0};
     return jet;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tools/samples/BentJet.h"
+#include "irsg/gas/BentJet.h"
 #include "tools/samples/FlightWriter.h"
 
 namespace smat {
@@ -11,7 +11,7 @@ namespace smat {
 FlightWriter corvetteModel();
 
 /// The exhaust of one of its funnels, starboard where `side` is 1, on the port side where -1.
-BentJet corvetteJet(double side);
+irsg::BentJet corvetteJet(double side);
 /// So many zones stand for it, as `smat-batch plume` finds for a bound of 0.15.
 inline constexpr std::size_t corvetteZones = 9;
 

@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "irsg/core/Errors.h"
+#include "tools/samples/GasZones.h"
 #include "tools/samples/SampleCorvette.h"
 #include "tools/samples/SampleHelicopter.h"
 #include "tools/samples/SampleHeron.h"

@@ -1,0 +1,24 @@
+#include "irsg/gas/PlumeBand.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "irsg/radiometry/Units.h"
+
+namespace irsg {
+
+PlumeBand::PlumeBand(const SpectralRange& band) {
+    constexpr double finest_per_cm = 5.0, coarsest_per_cm = 20.0, about = 30.0;
+    const double lower = wavenumberFromWavelength_per_cm(band.max_um);
+    const double upper = wavenumberFromWavelength_per_cm(band.min_um);
+    const double step_per_cm = std::clamp((upper - lower) / about, finest_per_cm, coarsest_per_cm);
+    const auto cells = static_cast<int>(std::ceil((upper - lower) / step_per_cm));
+    for (int i = 0; i < cells; ++i) {
+        const double from = lower + (upper - lower) * i / cells,
+                     to = lower + (upper - lower) * (i + 1) / cells;
+        wavenumbers_per_cm.push_back(0.5 * (from + to));
+        widths_um.push_back(wavelengthFromWavenumber_um(from) - wavelengthFromWavenumber_um(to));
+    }
+}
+
+} // namespace irsg
