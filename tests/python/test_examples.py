@@ -18,6 +18,7 @@ FILES = {
     "plume_spectrum": ["plume.png"],
     "compare_camera": ["difference.exr"],
     "detection_rose": ["rose.png"],
+    "plume_points": ["flow.vtu", "points.csv"],
     "sensor_noise": ["counts.exr"],
 }
 NOTEBOOKS = sorted(EXAMPLES[0].parent.glob("*.ipynb"))
@@ -25,7 +26,7 @@ NOTEBOOKS = sorted(EXAMPLES[0].parent.glob("*.ipynb"))
 
 @pytest.mark.parametrize("example", EXAMPLES, ids=lambda file: file.stem)
 def test_example_runs(example, tmp_path):
-    for module in ("matplotlib", "dask"):
+    for module in ("matplotlib", "dask", "meshio"):
         if f"import {module}" in example.read_text() or f"from {module}" in example.read_text():
             pytest.importorskip(module)
     done = subprocess.run(
