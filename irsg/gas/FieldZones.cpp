@@ -67,6 +67,51 @@ std::vector<double> smooth(const std::vector<double>& density) {
     return smoothed;
 }
 
+/// The plane across a view, and where the gas of a field lies in it.
+class AcrossView {
+  public:
+    AcrossView(const PlumeField::Axes& axes_m, const GasVector& towards)
+        : directions_(acrossOf(towards)) {
+        for (std::size_t corner = 0; corner < 8; ++corner) {
+            GasVector place_m{};
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                place_m[axis] =
+                    (corner >> axis & 1) != 0 ? axes_m[axis].back() : axes_m[axis].front();
+            for (std::size_t i = 0; i < 2; ++i) {
+                const double at_m = dotOf(place_m, directions_[i]);
+                first_m_[i] = corner == 0 ? at_m : std::min(first_m_[i], at_m);
+                last_m_[i] = corner == 0 ? at_m : std::max(last_m_[i], at_m);
+            }
+        }
+        for (std::vector<double>& density : densities_)
+            density.assign(cells, 0.0);
+    }
+    void add(const GasVector& place_m, double absorbs) {
+        for (std::size_t i = 0; i < 2; ++i) {
+            const double part =
+                (dotOf(place_m, directions_[i]) - first_m_[i]) / (last_m_[i] - first_m_[i]);
+            densities_[i][std::min(static_cast<std::size_t>(std::max(part, 0.0) * cells),
+                                   cells - 1)] += absorbs;
+        }
+    }
+    /// Between so many lines of sight, which lie closer where more of the gas is.
+    std::vector<double> edges_m(std::size_t direction, std::size_t lines) const {
+        constexpr double even = 0.5;
+        return planesByDensity(first_m_[direction], last_m_[direction],
+                               smooth(densities_[direction]), even, lines + 1);
+    }
+    GasVector placeOf(double u_m, double v_m) const {
+        return sumOf(sumOf({}, directions_[0], u_m), directions_[1], v_m);
+    }
+
+  private:
+    static constexpr std::size_t cells = 512;
+
+    std::array<GasVector, 2> directions_;
+    std::array<double, 2> first_m_{}, last_m_{};
+    std::array<std::vector<double>, 2> densities_;
+};
+
 /// What uniform gases send over a band, by lines of sight through them.
 class Senders {
   public:
@@ -169,49 +214,29 @@ std::vector<PlumeView> plumeViews() {
 FieldIntensities::FieldIntensities(const PlumeField& field, FieldWalls walls, const PlumeBand& band,
                                    const std::vector<PlumeView>& views, int fineness)
     : walls_(std::move(walls)), band_(band) {
-    // Lines of sight lie closer where more of the gas is.
-    constexpr std::size_t cells = 512;
-    constexpr double even = 0.5, golden = 0.61803398874989485;
+    constexpr double golden = 0.61803398874989485;
     const auto lines = static_cast<std::size_t>(64 * fineness);
-    for (const PlumeView& view : views) {
-        const auto [one, other] = acrossOf(view.towards);
-        std::array<double, 4> range{1e300, -1e300, 1e300, -1e300};
-        const auto& axes_m = field.axes_m();
-        for (std::size_t corner = 0; corner < 8; ++corner) {
-            GasVector place_m{};
-            for (std::size_t axis = 0; axis < 3; ++axis)
-                place_m[axis] =
-                    (corner >> axis & 1) != 0 ? axes_m[axis].back() : axes_m[axis].front();
-            const double u_m = dotOf(place_m, one), v_m = dotOf(place_m, other);
-            range = {std::min(range[0], u_m), std::max(range[1], u_m), std::min(range[2], v_m),
-                     std::max(range[3], v_m)};
-        }
-        std::vector<double> alongU(cells, 0.0), alongV(cells, 0.0);
-        const auto cellOf = [&](double at_m, double from_m, double to_m) {
-            const double part = to_m > from_m ? (at_m - from_m) / (to_m - from_m) : 0.0;
-            return std::min(static_cast<std::size_t>(part * cells), cells - 1);
-        };
-        field.forEachBox([&](const PlumeField::Box& box) {
-            const double absorbs = thinAbsorption(box.gas) * box.volume_m3;
-            alongU[cellOf(dotOf(box.middle_m, one), range[0], range[1])] += absorbs;
-            alongV[cellOf(dotOf(box.middle_m, other), range[2], range[3])] += absorbs;
-        });
-        const std::vector<double> u_m =
-            planesByDensity(range[0], range[1], smooth(alongU), even, lines + 1);
-        const std::vector<double> v_m =
-            planesByDensity(range[2], range[3], smooth(alongV), even, lines + 1);
+    std::vector<AcrossView> acrosses;
+    for (const PlumeView& view : views)
+        acrosses.emplace_back(field.axes_m(), view.towards);
+    field.forEachBox([&](const PlumeField::Box& box) {
+        for (AcrossView& across : acrosses)
+            across.add(box.middle_m, thinAbsorption(box.gas) * box.volume_m3);
+    });
+    for (std::size_t number = 0; number < views.size(); ++number) {
+        const AcrossView& across = acrosses[number];
+        const std::vector<double> u_m = across.edges_m(0, lines), v_m = across.edges_m(1, lines);
         // Shifted from row to row, so that walls of zones lie nowhere among them.
         const auto shift = [&](std::size_t row) {
             return std::fmod(0.5 + golden * static_cast<double>(row), 1.0);
         };
-        View& seen = views_.emplace_back(View{view, {}, 0.0});
+        View& seen = views_.emplace_back(View{views[number], {}, 0.0});
         for (std::size_t i = 0; i < lines; ++i)
             for (std::size_t k = 0; k < lines; ++k)
-                seen.sights.push_back(
-                    {sumOf(sumOf({}, one, std::lerp(u_m[i], u_m[i + 1], shift(k))), other,
-                           std::lerp(v_m[k], v_m[k + 1], shift(i))),
-                     (u_m[i + 1] - u_m[i]) * (v_m[k + 1] - v_m[k]),
-                     {}});
+                seen.sights.push_back({across.placeOf(std::lerp(u_m[i], u_m[i + 1], shift(k)),
+                                                      std::lerp(v_m[k], v_m[k + 1], shift(i))),
+                                       (u_m[i + 1] - u_m[i]) * (v_m[k + 1] - v_m[k]),
+                                       {}});
         sumField(field, seen);
         lookAtWalls(seen);
     }

@@ -45,6 +45,12 @@ class Nearest {
 NearestPoints::NearestPoints(std::vector<GasVector> places_m)
     : places_m_(std::move(places_m)), order_(places_m_.size()) {
     std::iota(order_.begin(), order_.end(), 0U);
+    for (std::size_t axis = 0; axis < 3 && !places_m_.empty(); ++axis) {
+        const auto [least, most] = std::ranges::minmax(
+            places_m_, {}, [axis](const GasVector& place_m) { return place_m[axis]; });
+        least_m_[axis] = least[axis];
+        most_m_[axis] = most[axis];
+    }
     order(0, order_.size(), 0);
 }
 
@@ -63,30 +69,35 @@ void NearestPoints::order(std::size_t first, std::size_t end, int axis) {
 
 std::size_t NearestPoints::nearest(const GasVector& to_m, std::span<Found> found) const {
     Nearest nearest(found);
+    // `away_m`: by how much the place is outside a range along each axis (S. Arya and D. M. Mount
+    // 1993, Data Compression Conference, 381).
     const auto look = [&](std::size_t first, std::size_t end, std::size_t axis,
-                          const auto& again) -> void {
-        if (first == end)
+                          const GasVector& away_m, const auto& again) -> void {
+        if (first == end || !nearest.canTake(dotOf(away_m, away_m)))
             return;
         const std::size_t middle = first + (end - first) / 2;
         const GasVector& at_m = places_m_[order_[middle]];
-        const GasVector away_m = differenceOf(at_m, to_m);
-        const double distance2_m2 = dotOf(away_m, away_m);
+        const GasVector between_m = differenceOf(at_m, to_m);
+        const double distance2_m2 = dotOf(between_m, between_m);
         if (nearest.canTake(distance2_m2))
             nearest.take({distance2_m2, order_[middle]});
-        const double beyond_m = to_m[axis] - at_m[axis];
         const std::size_t next = (axis + 1) % 3;
-        if (beyond_m < 0.0) {
-            again(first, middle, next, again);
-            if (nearest.canTake(beyond_m * beyond_m))
-                again(middle + 1, end, next, again);
+        GasVector farther_m = away_m;
+        farther_m[axis] = between_m[axis];
+        if (between_m[axis] > 0.0) {
+            again(first, middle, next, away_m, again);
+            again(middle + 1, end, next, farther_m, again);
         } else {
-            again(middle + 1, end, next, again);
-            if (nearest.canTake(beyond_m * beyond_m))
-                again(first, middle, next, again);
+            again(middle + 1, end, next, away_m, again);
+            again(first, middle, next, farther_m, again);
         }
     };
-    if (!found.empty())
-        look(0, order_.size(), 0, look);
+    if (!found.empty() && !places_m_.empty()) {
+        GasVector away_m{};
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            away_m[axis] = to_m[axis] - std::clamp(to_m[axis], least_m_[axis], most_m_[axis]);
+        look(0, order_.size(), 0, away_m, look);
+    }
     return nearest.sorted();
 }
 

@@ -29,6 +29,7 @@ class NearestPoints {
     void order(std::size_t first, std::size_t end, int axis);
 
     std::vector<GasVector> places_m_;
+    GasVector least_m_{}, most_m_{}; ///< corners of the box about them
     /// Numbers of places: the middle of a range divides it by the axis of its depth.
     std::vector<std::uint32_t> order_;
 };

@@ -19,7 +19,7 @@ namespace {
 
 using Axes = PlumeField::Axes;
 
-constexpr std::size_t neighbours = 16, mostNodes = 600000;
+constexpr std::size_t neighbours = 16, mostNodes = 300000;
 
 bool areEqual(const PlumeField::Node& a, const PlumeField::Node& b) {
     return a.temperature_K == b.temperature_K && a.pressure_atm == b.pressure_atm &&

@@ -23,7 +23,7 @@ PlumeField readPlumePoints(const CsvTable& csv);
 
 /// Points that are all nodes of planes across the axes are those of the field. Of others the field
 /// follows by linear functions fitted to the 16 nearest, which meet each of them (P. Lancaster and
-/// K. Salkauskas 1981, Math. Comp. 37, 141), at up to 600,000 nodes whose planes lie closer where
+/// K. Salkauskas 1981, Math. Comp. 37, 141), at up to 300,000 nodes whose planes lie closer where
 /// points that absorb do; never beyond the values of those 16. What is farther from all points than
 /// one and a quarter of their distances is no gas. `name` stands for them in diagnostics.
 /// InputError for fewer than 8, for points in one plane across an axis, and for two states at one

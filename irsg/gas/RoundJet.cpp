@@ -141,12 +141,12 @@ PlumeTable RoundJet::table() const {
                           (1.0 + coflow) / (1.0 - coflow);
     const double length_m = core_m / endsAt;
     if (length_m > longestOverDiameter * diameter_m)
-        throw InputError({"jet", "ends_at", numberText(endsAt),
-                          numberText(std::ceil(100.0 * core_m / diameter_m / longestOverDiameter) /
-                                     100.0) +
-                              " at least: with this co-flow the jet is " +
-                              numberText(std::round(length_m / diameter_m)) +
-                              " diameters long there, and 500 are the most"});
+        throw InputError(
+            {"jet", "ends_at", numberText(endsAt),
+             numberText(std::ceil(100.0 * core_m / diameter_m / longestOverDiameter) / 100.0) +
+                 " at least: with this co-flow the jet is " +
+                 numberText(std::round(length_m / diameter_m)) +
+                 " diameters long there, and 500 are the most"});
     std::vector<double> x_m, r_m;
     std::vector<Across> acrosses;
     for (std::size_t i = 0; i < alongNodes; ++i) { // by squares: it is short-lived at the nozzle

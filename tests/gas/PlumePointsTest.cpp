@@ -137,7 +137,7 @@ TEST(PlumePoints, AreRefusedByLineAndValue) {
              {head + cube + "2,2,2,800\n", "line 10"},
              {head + cube + "2,2,2,800,1.1\n", "CO2 = 1.1"},
              {head + cube + "2,2,2,200,0.1\n", "T_K = 200"},
-             {head + cube + "2,-2e6,2,800,0.1\n", "line 10: found y = -2000000"},
+             {head + cube + "2,-2e6,2,800,0.1\n", "line 10: found 'y = -2e+06'"},
              {head + cube + "1,1,1,800,0.2\n",
               "line 10: found x = 1, y = 1, z = 1 again, as in line 9"},
              {head + "0,0,0,800,0.1\n1,1,1,800,0.1\n", "2 points"},
