@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -53,6 +55,9 @@ class SensorInfoCommand {
         if (json.at("well_fill").get<double>() >= 1.0)
             warn(file_ + ": pixels are full before this background; its numbers are those of a "
                          "larger well");
+        if (!std::isfinite(json.at("netd_K").get<double>()))
+            warn(file_ + ": this background radiates nothing in the sensor's band: the NETD is "
+                         "infinite");
         if (context.json)
             fmt::print("{}\n", jsonText(json));
         else

@@ -44,6 +44,9 @@ ResolvableTemperature::ResolvableTemperature(const SensorDescription& sensor, do
     const PixelResponse response(sensor);
     noise_K_ = perceivedNoise_K(sensor, response.noise(response.signal(background_K)),
                                 response.contrast_per_K(background_K), observer);
+    if (!std::isfinite(noise_K_))
+        throw InputError({"", "background temperature", numberText(background_K),
+                          "a temperature in K whose radiance in the sensor's band is above 0"});
     perFrequency_rad_ =
         pi * pi / (4.0 * std::sqrt(7.0)) * observer.threshold * sensor.pixelAngle_rad();
     for (const Direction direction : {Direction::horizontal, Direction::vertical}) {

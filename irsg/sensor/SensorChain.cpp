@@ -79,6 +79,24 @@ std::vector<double> series(std::uint64_t seed, Draw draw, std::uint32_t frame, s
     return values;
 }
 
+/// Pixels that have one of these within a square of this half side.
+std::vector<std::uint8_t> grown(const std::vector<std::uint8_t>& pixels, std::size_t width,
+                                std::size_t height, std::size_t reach) {
+    std::vector<std::uint8_t> all(pixels.size());
+    for (std::size_t y = 0; y < height; ++y)
+        for (std::size_t x = 0; x < width; ++x) {
+            if (pixels[y * width + x] == 0)
+                continue;
+            const std::size_t fromX = x - std::min(x, reach), toX = std::min(width, x + reach + 1);
+            for (std::size_t row = y - std::min(y, reach); row < std::min(height, y + reach + 1);
+                 ++row)
+                std::fill(all.begin() + static_cast<std::ptrdiff_t>(row * width + fromX),
+                          all.begin() + static_cast<std::ptrdiff_t>(row * width + toX),
+                          std::uint8_t{1});
+        }
+    return all;
+}
+
 } // namespace
 
 SensorChain::SensorChain(const SensorDescription& sensor, double source_K,
@@ -120,11 +138,52 @@ void SensorChain::addPoint(const PointTarget& point, std::vector<double>& signal
         }
 }
 
+std::vector<double> SensorChain::blurred(const std::vector<float>& radiance_W_m2_sr,
+                                         int samples) const {
+    const std::shared_ptr<const SensorBlur> blurring = blur(samples);
+    // The blur is of single precision: what is far beyond a full well is blurred by itself, and
+    // reaches no farther than the point spread.
+    constexpr double manyWells = 4.0;
+    const auto most_W_m2_sr =
+        static_cast<float>(manyWells * response_.fullSignal() / response_.signalPerRadiance());
+    const auto width = static_cast<std::size_t>(sensor_.detector.columns);
+    const auto height = static_cast<std::size_t>(sensor_.detector.rows);
+    const auto cells = static_cast<std::size_t>(samples);
+    float beyond_W_m2_sr = 0.0f;
+    for (std::size_t at = 0; at < radiance_W_m2_sr.size(); ++at) {
+        if (!std::isfinite(radiance_W_m2_sr[at]))
+            throw InputError({"",
+                              "radiance in row " + std::to_string(at / (width * cells)) +
+                                  ", column " + std::to_string(at % (width * cells)),
+                              numberText(radiance_W_m2_sr[at]), "a finite number"});
+        beyond_W_m2_sr = std::max(beyond_W_m2_sr, std::abs(radiance_W_m2_sr[at]) - most_W_m2_sr);
+    }
+    if (beyond_W_m2_sr <= 0.0f)
+        return blurring->blurred(radiance_W_m2_sr);
+    std::vector<float> usual = radiance_W_m2_sr, bright(usual.size());
+    std::vector<std::uint8_t> isBright(width * height);
+    for (std::size_t at = 0; at < usual.size(); ++at) {
+        usual[at] = std::clamp(usual[at], -most_W_m2_sr, most_W_m2_sr);
+        if (usual[at] == radiance_W_m2_sr[at])
+            continue;
+        bright[at] = (radiance_W_m2_sr[at] - usual[at]) / beyond_W_m2_sr;
+        isBright[at / (width * cells) / cells * width + at % (width * cells) / cells] = 1;
+    }
+    std::vector<double> sum = blurring->blurred(usual);
+    const std::vector<double> more = blurring->blurred(bright);
+    const std::vector<std::uint8_t> isReached =
+        grown(isBright, width, height, spread_.side_px() / 2);
+    for (std::size_t at = 0; at < sum.size(); ++at)
+        if (isReached[at] != 0)
+            sum[at] += static_cast<double>(beyond_W_m2_sr) * more[at];
+    return sum;
+}
+
 std::vector<double> SensorChain::exposed(const std::vector<float>& radiance_W_m2_sr, int samples,
                                          const std::vector<PointTarget>& points) const {
     if (samples < 1)
         throw LogicError("radiance without samples");
-    std::vector<double> signal = blur(samples)->blurred(radiance_W_m2_sr);
+    std::vector<double> signal = blurred(radiance_W_m2_sr, samples);
     const double scale = response_.signalPerRadiance();
     for (double& value : signal)
         value *= scale;

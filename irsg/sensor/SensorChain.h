@@ -44,7 +44,8 @@ class SensorChain {
     /// The mean signal of each pixel (electrons, of a thermal detector watts), without noise or
     /// offset. `radiance` has `samples` x `samples` values of band radiance
     /// (SensorDescription::band) for each pixel, row by row; each is that of its whole square.
-    /// Beyond the frame its outermost values go on. LogicError for another size.
+    /// Beyond the frame its outermost values go on. LogicError for another size; InputError with
+    /// row and column for a value that is not finite.
     std::vector<double> exposed(const std::vector<float>& radiance_W_m2_sr, int samples,
                                 const std::vector<PointTarget>& points = {}) const;
     /// What is read of these signals.
@@ -62,6 +63,9 @@ class SensorChain {
         std::shared_ptr<const SensorBlur> blur;
     };
     std::shared_ptr<const SensorBlur> blur(int samples) const;
+    /// Radiance by pixel. Of what is far beyond a full well only the pixels that its point spread
+    /// reaches see anything, its rounding included.
+    std::vector<double> blurred(const std::vector<float>& radiance_W_m2_sr, int samples) const;
     void addPoint(const PointTarget& point, std::vector<double>& signal) const;
 
     SensorDescription sensor_;

@@ -122,7 +122,7 @@ void checkDetector(const SensorDetector& detector, Checks& checks) {
             checks.refuse("detector.darkCurrent_e_per_s", numberText(detector.darkCurrent_e_per_s),
                           "nothing: a thermal detector has no dark electrons");
         checks.positive("detector.netd_K", detector.thermalNetd_K.value_or(0.0), 1e4);
-        checks.positive("detector.netdTemperature_K", detector.thermalNetdTemperature_K, 1e4);
+        checks.range("detector.netdTemperature_K", detector.thermalNetdTemperature_K, 1.0, 1e4);
         return;
     }
     if (detector.thermalNetd_K)
@@ -192,6 +192,11 @@ void SensorDescription::check() const {
     checks.positive(isThermal ? "electronics.gain_W_per_count" : "electronics.gain_e_per_count",
                     electronics.gain, 1e15);
     checks.range("electronics.offset_counts", electronics.offset_counts, -1e9, 1e9);
+    const double largest_counts = std::ldexp(1.0, electronics.bits) - 1.0;
+    if (electronics.bits >= 1 && electronics.offset_counts >= largest_counts)
+        checks.refuse("electronics.offset_counts", numberText(electronics.offset_counts),
+                      "less than the largest number that the converter tells, " +
+                          numberText(largest_counts));
     checks.range("electronics.readNoise_e", electronics.readNoise_e, 0.0, 1e12);
     if (isThermal && electronics.readNoise_e != 0.0)
         checks.refuse("electronics.readNoise_e", numberText(electronics.readNoise_e),

@@ -7,6 +7,7 @@
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Quadrature.h"
 #include "irsg/radiometry/Units.h"
+#include "irsg/sensor/RequirePositive.h"
 
 namespace irsg {
 
@@ -48,10 +49,11 @@ double PixelResponse::blackBodySignal(double temperature_K, bool throughOptics,
                                       bool derivative) const {
     if (temperature_K <= 0.0)
         return 0.0;
+    constexpr double coldest_K = 1.0; // below it no nodes are dense enough for what radiates
     const SpectralRange& range = sensor_.detector.band;
     const Spectrum* const spectra[] = {&sensor_.optics.transmission, &sensor_.detector.response};
     const SpectralQuadrature quadrature(Band::topHat(range.min_um, range.max_um), spectra,
-                                        std::min(200.0, temperature_K));
+                                        std::clamp(temperature_K, coldest_K, 200.0));
     std::vector<double> values;
     for (const double wavelength_um : quadrature.wavelengths_um()) {
         const double source = derivative
@@ -106,9 +108,7 @@ double PixelResponse::fullSignal() const {
 
 SensorNumbers sensorNumbers(const SensorDescription& sensor, double background_K,
                             ConeConvention convention, double ensquaredEnergy) {
-    if (!(background_K > 0.0 && std::isfinite(background_K)))
-        throw InputError(
-            {"", "background temperature", numberText(background_K), "a temperature above 0 K"});
+    requirePositive(background_K, "background temperature", "a temperature above 0 K");
     const PixelResponse response(sensor, convention);
     SensorNumbers numbers;
     numbers.convention = convention;

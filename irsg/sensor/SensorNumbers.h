@@ -39,7 +39,7 @@ struct SensorNumbers {
     PixelSignal signal;
     PixelNoise noise;
     double contrast_per_K = 0.0;     ///< change of the signal with the background's temperature
-    double netd_K = 0.0;             ///< temporal noise / contrast_per_K
+    double netd_K = 0.0;             ///< temporal noise / contrast_per_K; infinite where that is 0
     double totalNetd_K = 0.0;        ///< the same of the total noise
     double ner_W_m2_sr = 0.0;        ///< radiance whose signal is the temporal noise
     double nep_W = 0.0;              ///< power on the pixel at the response's peak, the same

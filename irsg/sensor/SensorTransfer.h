@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,8 @@ class SensorTransfer {
     double alongColumns(double y_per_rad) const;
     /// The highest frequency that the optics transmit, cycles/rad, along an axis.
     double cutoff_per_rad() const { return cutoff_per_rad_; }
+    /// The largest defocus of the band's wavelengths, in waves of each, without its sign.
+    double defocus_waves() const { return std::abs(nodes_.front().waves); }
     /// Half the angle over which a point is spread, diffraction's far wings aside, rad.
     double spread_rad() const;
 

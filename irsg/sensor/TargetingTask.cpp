@@ -69,6 +69,9 @@ TargetingTask::TargetingTask(const SensorDescription& sensor, double background_
     const PixelResponse response(sensor);
     noise_K_ = perceivedNoise_K(sensor, response.noise(response.signal(background_K)),
                                 response.contrast_per_K(background_K), observer);
+    if (!std::isfinite(noise_K_))
+        throw InputError({"", "background temperature", numberText(background_K),
+                          "a temperature in K whose radiance in the sensor's band is above 0"});
     for (const Direction direction : {Direction::horizontal, Direction::vertical}) {
         std::vector<Node>& nodes = nodes_[static_cast<std::size_t>(direction)];
         for (int i = 1; i <= steps; ++i) {

@@ -1,10 +1,13 @@
 #include "irsg/sensor/PointSpread.h"
 
 #include <cmath>
+#include <complex>
+#include <utility>
 
 #include <gtest/gtest.h>
 
 #include "irsg/core/Errors.h"
+#include "irsg/radiometry/GaussLegendre.h"
 #include "irsg/radiometry/Units.h"
 #include "tests/sensor/SensorSupport.h"
 
@@ -30,6 +33,47 @@ TEST(PointSpread, AirysPatternFallsIntoASquare) {
     const double peak = pi / 4.0 * std::pow(0.1 / 4e-6 * sensor.pixelAngle_rad(), 2);
     const double expected = 4.0 * peak * sum * std::pow(0.5 / steps, 2);
     EXPECT_NEAR(spread.energyAt(0.0, 0.0), expected, 2e-6);
+}
+
+// Up to the defocus that a sensor may have, beside the pupil's own integral: the amplitude at an
+// angle v, in radii of the pupil times 2 pi / lambda, is that of exp(2 pi i W t) J0(v sqrt(t)) over
+// t from 0 to 1.
+TEST(PointSpread, DefocusOfManyWavesFallsAsThePupilsOwnIntegral) {
+    SensorDescription sensor = test::staringSensor();
+    sensor.optics.defocusWavelength_um = 4.0;
+    const double scale = pi * 0.1 / 4e-6 * sensor.pixelAngle_rad();
+    const double peak = pi / 4.0 * std::pow(0.1 / 4e-6 * sensor.pixelAngle_rad(), 2);
+    const GaussRule& rule = gaussLegendre(12);
+    for (const double waves : {8.0, -20.0}) {
+        sensor.optics.defocus_waves = waves;
+        sensor.check();
+        const auto intensityAt = [&](double v) {
+            std::complex<double> sum = 0.0;
+            constexpr int panels = 40;
+            for (int panel = 0; panel < panels; ++panel) {
+                for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
+                    const double t = (panel + rule.nodes[i]) / panels;
+                    sum += rule.weights[i] / panels * std::polar(1.0, 2.0 * pi * waves * t) *
+                           std::cyl_bessel_j(0.0, v * std::sqrt(t));
+                }
+            }
+            return std::norm(sum);
+        };
+        const PointSpread spread(sensor, 300.0);
+        for (const auto& [column, row] : {std::pair{0.0, 0.0}, {0.5, 0.5}, {3.0, 1.0}}) {
+            double energy = 0.0;
+            for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
+                for (std::size_t j = 0; j < rule.nodes.size(); ++j) {
+                    energy += rule.weights[i] * rule.weights[j] *
+                              intensityAt(scale * std::hypot(column + rule.nodes[i] - 0.5,
+                                                             row + rule.nodes[j] - 0.5));
+                }
+            }
+            // The band of 2 nm and the wings beyond the 12 nodes are what is left.
+            EXPECT_NEAR(spread.energyAt(column, row), peak * energy, 1e-7)
+                << waves << " waves, " << column << ", " << row;
+        }
+    }
 }
 
 TEST(PointSpread, AGaussianBlurFallsAsItsErrorFunctions) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include <gtest/gtest.h>
@@ -44,6 +45,48 @@ TEST(SensorChain, AUniformFieldIsItsSignalEverywhere) {
                 ASSERT_NEAR(value / (0.25 * chain.response().signalPerRadiance()), 1.0, 1e-9);
             }
         }
+    }
+}
+
+TEST(SensorChain, ARadianceThatIsNoNumberIsRefusedByItsPlace) {
+    const SensorChain chain(test::staringSensor());
+    for (const float wrong :
+         {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+        std::vector<float> field(pixels(chain.sensor()) * 4, 0.25f);
+        field[7 * 96 + 93] = wrong;
+        try {
+            (void)chain.exposed(field, 2);
+            ADD_FAILURE() << wrong << " was taken";
+        } catch (const InputError& error) {
+            EXPECT_EQ(error.diagnostics().front().position, "radiance in row 7, column 93");
+        }
+    }
+}
+
+// The blur is of single precision: what is far beyond the others must not drown them.
+TEST(SensorChain, WhatIsFarBeyondAFullWellStaysNearItsPlace) {
+    SensorDescription sensor = test::staringSensor();
+    sensor.detector.columns = 96;
+    const SensorChain chain(sensor);
+    std::vector<float> field(pixels(sensor), 0.25f);
+    const std::vector<double> usual = chain.exposed(field, 1);
+    const std::size_t reach = chain.pointSpread().side_px() / 2;
+    ASSERT_LT(reach + 2, 96u);
+    // Single precision of four full wells.
+    const double error = 4e-6 * chain.response().fullSignal();
+    for (const float bright : {1e12f, 1e30f, -1e30f}) {
+        field[1] = bright;
+        const std::vector<double> signal = chain.exposed(field, 1);
+        for (std::size_t y = 0; y < 40; ++y) {
+            for (std::size_t x = reach + 2; x < 96; ++x) {
+                ASSERT_NEAR(signal[y * 96 + x], usual[y * 96 + x], error)
+                    << bright << " at " << x << ", " << y;
+            }
+        }
+        // Near it is its share of a point's light.
+        const double share = chain.pointSpread().energyAt(0.0, 0.0);
+        EXPECT_GT(signal[1] / (static_cast<double>(bright) * usual[1] / 0.25), 0.3 * share);
+        EXPECT_GT(signal[2] / static_cast<double>(bright), 0.0);
     }
 }
 

@@ -105,6 +105,8 @@ TEST(SensorDescription, RefusesWhatCannotBeByItsKey) {
         {"detector.netd_K", [](auto& s) { s.detector.responseKind = ResponseKind::absorptance; }},
         {"electronics.gain_e_per_count", [](auto& s) { s.electronics.gain = 0.0; }},
         {"electronics.bits", [](auto& s) { s.electronics.bits = 40; }},
+        {"electronics.offset_counts",
+         [](auto& s) { s.electronics.offset_counts = 1048575.0; }}, // of 20 bits
         {"electronics.readNoise_e", [](auto& s) { s.electronics.readNoise_e = -1.0; }},
         {"motion.jitter_urad", [](auto& s) { s.motion.jitter_urad = -1.0; }},
         {"noise.vh", [](auto& s) { s.noise.vh = -0.1; }},

@@ -7,6 +7,8 @@
 #include "irsg/core/Errors.h"
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
+#include "irsg/sensor/ResolvableTemperature.h"
+#include "irsg/sensor/TargetingTask.h"
 #include "tests/sensor/SensorSupport.h"
 
 namespace irsg {
@@ -126,6 +128,20 @@ TEST(SensorNumbers, AThermalDetectorsNoiseIsItsNetd) {
                 0.56 * std::pow(15e-6, 2) * pi / 17.0 *
                     bandRadiance_W_m2_sr(Band::topHat(8.0, 14.0), 300.0),
                 1e-18);
+}
+
+TEST(SensorNumbers, ABackgroundThatRadiatesNothingHasAnInfiniteNetd) {
+    SensorDescription sensor = test::staringSensor();
+    sensor.optics.emissivity = 0.1;
+    sensor.optics.temperature_K = 1e-300;
+    for (const double background_K : {1e-300, 0.1, 3.0}) {
+        const SensorNumbers numbers = sensorNumbers(sensor, background_K, exact, 1.0);
+        EXPECT_TRUE(std::isinf(numbers.netd_K)) << background_K;
+        EXPECT_EQ(numbers.signal.total(), 0.0) << background_K;
+        EXPECT_GT(numbers.nei_W_m2, 0.0);
+        EXPECT_THROW(ResolvableTemperature(sensor, background_K, {}), InputError);
+        EXPECT_THROW(TargetingTask(sensor, background_K, {}, {}), InputError);
+    }
 }
 
 TEST(SensorNumbers, PatternNoiseIsInPartsOfTheTemporalOneAtTheReference) {
