@@ -217,16 +217,16 @@ GasSpectrum gasSpectrum(const GasRequest& request) {
     Column column(request, result.answers);
     for (double n = std::floor(lower_per_cm / step + 0.5); (n - 0.5) * step < upper_per_cm; ++n) {
         GasSpectrum::Cell cell;
-        cell.wavenumber_per_cm = n * step;
         cell.lower_per_cm = std::max(lower_per_cm, (n - 0.5) * step);
         cell.upper_per_cm = std::min(upper_per_cm, (n + 0.5) * step);
         if (!(cell.upper_per_cm > cell.lower_per_cm))
             continue;
+        cell.wavenumber_per_cm = 0.5 * (cell.lower_per_cm + cell.upper_per_cm);
         cell.transmittance = 0.0;
         const auto places = static_cast<int>(std::max(1.0, std::round(step / tableStep_per_cm)));
         for (int i = 0; i < places; ++i)
-            column.add(cell.wavenumber_per_cm + step * ((i + 0.5) / places - 0.5), 1.0 / places,
-                       cell);
+            column.add(std::lerp(cell.lower_per_cm, cell.upper_per_cm, (i + 0.5) / places),
+                       1.0 / places, cell);
         result.cells.push_back(cell);
     }
     return result;

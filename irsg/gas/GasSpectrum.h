@@ -34,7 +34,7 @@ std::string gasEmitterName(std::size_t emitter);
 struct GasSpectrum {
     /// A mean over `step` around a whole multiple of it, cut at the ends of the band.
     struct Cell {
-        double wavenumber_per_cm = 0.0; ///< the multiple
+        double wavenumber_per_cm = 0.0; ///< the middle: the multiple, where it is not cut
         double lower_per_cm = 0.0, upper_per_cm = 0.0;
         double radiance_W_m2_sr_um = 0.0; ///< of layers and background
         double transmittance = 1.0;

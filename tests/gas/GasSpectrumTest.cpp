@@ -54,6 +54,24 @@ std::vector<GasLayer> layersOf(const std::vector<Segment>& segments, double soot
     return layers;
 }
 
+// What stands beyond the ends of the band is no part of it, however wide the cells are.
+TEST(GasSpectrum, CellsThatTheBandCutsHaveTheMeanOfWhatIsWithin) {
+    const auto of = [](double step_per_cm) {
+        return gasSpectrum({.layers = {layer(700.0, 0.5, 0.033, 0.033)},
+                            .band = {4.2, 4.3},
+                            .step_per_cm = step_per_cm});
+    };
+    const double fine = of(1.0).bandRadiance_W_m2_sr();
+    for (const double step_per_cm : {5.0, 25.0, 50.0, 100.0}) {
+        const GasSpectrum wide = of(step_per_cm);
+        EXPECT_NEAR(wide.bandRadiance_W_m2_sr() / fine, 1.0, 0.005) << step_per_cm;
+        for (const GasSpectrum::Cell& cell : wide.cells) {
+            EXPECT_GE(cell.wavenumber_per_cm, 1e4 / 4.3) << step_per_cm;
+            EXPECT_LE(cell.wavenumber_per_cm, 1e4 / 4.2) << step_per_cm;
+        }
+    }
+}
+
 TEST(GasSpectrum, OfAPoolFireIsThatOfTheTechnicalNote) {
     // Case 5 of the guide of RADCAL: 33747 W m-2 sr-1 over 50 to 10000 cm-1.
     const std::vector<Segment> fire = {
