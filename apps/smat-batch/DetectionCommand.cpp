@@ -9,6 +9,7 @@
 #include "apps/smat-batch/StopSignal.h"
 #include "irsg/core/CsvTable.h"
 #include "irsg/sensor/SensorFile.h"
+#include "smatcore/analysis/DetectionCheck.h"
 #include "smatcore/jobs/AnalysisJobs.h"
 #include "smatcore/settings/SettingKeys.h"
 
@@ -20,7 +21,8 @@ namespace {
 class DetectionCommand {
   public:
     explicit DetectionCommand(CLI::App& command)
-        : project_(command),
+        : command_(command),
+          project_(command),
           settings_(command, AnalysisKind::polar),
           numbers_(command),
           files_(command) {
@@ -132,10 +134,11 @@ class DetectionCommand {
             files_.check("detection.csv");
         numbers_.check();
         DetectionRequest request = requestOf();
+        const Settings given = settings_.values();
+        checkDetection(request, givenOptions(given));
         AnalysisData data;
         {
             const StageTimer::Scope scope(&context.timer, "load");
-            const Settings given = settings_.values();
             Project project = project_.load();
             settings_.place(project);
             data = AnalysisData::of(project, kindOf(request.cases));
@@ -180,37 +183,17 @@ class DetectionCommand {
         DetectionRequest request;
         request.criterion =
             static_cast<RangeCriterion>(chosen("--criterion", criterion_, criterionWords()));
-        const std::string& word = criterion_;
-        if (request.criterion == RangeCriterion::point) {
-            refuseWith(word, {"--cycles"});
-            if (!leftOut_.empty())
-                throw refusal("--leave-out", leftOut_.front(),
-                              "nothing: --criterion point counts the whole light");
+        if (request.criterion == RangeCriterion::point)
             takePoint(request);
-        } else {
-            refuseWith(word, {"--snr", "--false-alarms"});
-            if (!clutter_.empty())
-                throw refusal("--clutter", clutter_,
-                              fmt::format("nothing: --criterion {} has none", word));
+        else
             takeTask(request.task, request.criterion);
-            request.leftOut = leftOut_;
-        }
-        if (request.criterion == RangeCriterion::targeting) {
-            irsg::SensorDisplay& display = request.display;
-            display.sceneContrast_K =
-                numbers_.positive("--scene-contrast", display.sceneContrast_K);
-            display.pixel_mrad = numbers_.positive("--display-pixel", display.pixel_mrad);
-            display.luminance_cd_m2 =
-                numbers_.positive("--display-luminance", display.luminance_cd_m2);
-        } else {
-            refuseWith(word, {"--scene-contrast", "--display-pixel", "--display-luminance"});
-        }
+        request.leftOut = leftOut_;
+        irsg::SensorDisplay& display = request.display;
+        display.sceneContrast_K = numbers_.positive("--scene-contrast", display.sceneContrast_K);
+        display.pixel_mrad = numbers_.positive("--display-pixel", display.pixel_mrad);
+        display.luminance_cd_m2 = numbers_.positive("--display-luminance", display.luminance_cd_m2);
         request.limits.nearest_m = numbers_.positive("--nearest", request.limits.nearest_m);
         request.limits.farthest_m = numbers_.positive("--farthest", request.limits.farthest_m);
-        if (request.limits.farthest_m <= request.limits.nearest_m)
-            throw refusal("--farthest", irsg::numberText(request.limits.farthest_m),
-                          "a range beyond the nearest, " +
-                              irsg::numberText(request.limits.nearest_m) + " m");
         numbers_.takeWhole("--looks", request.limits.looksPerDecade, 1.0, 1000.0);
         if (numbers_.value("--background-temperature"))
             request.background_K = numbers_.positive("--background-temperature", 300.0);
@@ -231,12 +214,8 @@ class DetectionCommand {
 
     void takePoint(DetectionRequest& request) const {
         request.threshold = numbers_.positive("--snr", request.threshold);
-        if (const auto probability = numbers_.value("--false-alarms")) {
-            if (numbers_.value("--snr"))
-                throw refusal("--false-alarms", irsg::numberText(*probability),
-                              "nothing beside --snr, the threshold that follows from it");
+        if (const auto probability = numbers_.value("--false-alarms"))
             request.threshold = thresholdOfFalseAlarms(*probability);
-        }
         if (numbers_.value("--probability"))
             request.pointProbability = probability();
         if (clutter_ == "auto") {
@@ -250,56 +229,38 @@ class DetectionCommand {
     }
 
     void takeComparison(DetectionRequest& request) const {
-        const std::pair<const char*, const std::string*> ofIt[] = {
-            {"--values", &values_}, {"--paint", &paint_}, {"--sun-of", &sunOf_}};
-        if (against_.empty()) {
-            for (const auto& [option, text] : ofIt)
-                if (!text->empty())
-                    throw refusal(option, *text, "nothing without --against");
+        if (against_.empty())
             return;
-        }
         RangeComparison comparison;
         comparison.against =
             static_cast<RangeAgainst>(chosen("--against", against_, rangeAgainstWords()));
         comparison.values = wordsOf(values_);
-        if (values_.empty())
-            throw refusal("--values", "nothing", "values of --against, separated by commas");
-        const bool isPaint = comparison.against == RangeAgainst::paint;
-        if (isPaint == paint_.empty())
-            throw refusal("--paint", isPaint ? "nothing" : paint_,
-                          isPaint ? "the material of the target that is replaced"
-                                  : "nothing: only --against paint has one");
         comparison.paint = paint_;
-        if (!sunOf_.empty()) {
-            if (comparison.against != RangeAgainst::hour)
-                throw refusal("--sun-of", sunOf_, "nothing: only --against hour moves the sun");
+        if (!sunOf_.empty())
             comparison.place = rangePlaceOf("--sun-of", sunOf_);
-        }
-        for (const auto& [option, isGiven] :
-             {std::pair("--ranges", !ranges_.empty()), {"--sensitivity", sensitivity_}})
-            if (isGiven)
-                throw refusal(option, "given", "nothing beside --against");
         request.comparison = std::move(comparison);
     }
 
     void takeRanges(DetectionRequest& request) const {
         request.findsSensitivity = sensitivity_;
         numbers_.takeWhole("--draws", request.draws, 1.0, 1e6);
-        if (ranges_.empty()) {
-            if (request.draws > 0)
-                throw refusal("--draws", std::to_string(request.draws),
-                              "nothing without --ranges, of whose probability it is the mean");
-            return;
-        }
-        request.ranges_m = numbersOf("--ranges", ranges_);
-        if (std::ranges::find(request.ranges_m, 0.0) != request.ranges_m.end())
-            throw refusal("--ranges", ranges_, "ranges above 0 m");
-        if (sensitivity_)
-            throw refusal("--sensitivity", "given", "nothing beside --ranges: no range is sought");
-        for (const char* option : {"--nearest", "--farthest", "--looks", "--probability"})
-            if (numbers_.value(option))
-                throw refusal(option, irsg::numberText(*numbers_.value(option)),
-                              "nothing beside --ranges: no range is sought");
+        if (!ranges_.empty())
+            request.ranges_m = numbersOf("--ranges", ranges_);
+    }
+
+    /// What of its own and of the settings was given.
+    GivenOptions givenOptions(const Settings& settings) const {
+        GivenOptions given{[](const std::string& option) {
+            const SettingInfo* const setting = findSetting(option);
+            return setting != nullptr ? setting->option : "--" + option;
+        }};
+        for (const CLI::Option* option : command_.get_options())
+            if (option->count() > 0 && !option->get_lnames().empty())
+                given.values[option->get_lnames().front()] =
+                    fmt::format("{}", fmt::join(option->results(), ","));
+        for (const auto& [key, value] : settings.values())
+            given.values[key] = value;
+        return given;
     }
 
     void takeTask(RangeTask& task, RangeCriterion criterion) const {
@@ -317,15 +278,7 @@ class DetectionCommand {
         return 0.01 * percent;
     }
 
-    /// An option that would do nothing.
-    void refuseWith(const std::string& criterion,
-                    std::initializer_list<const char*> options) const {
-        for (const char* option : options)
-            if (numbers_.value(option))
-                throw refusal(option, irsg::numberText(*numbers_.value(option)),
-                              fmt::format("nothing: --criterion {} has none", criterion));
-    }
-
+    CLI::App& command_;
     ProjectInput project_;
     SettingOptions settings_;
     NumberOptions numbers_;

@@ -17,7 +17,9 @@ namespace smat::batch {
 
 void NumberOptions::add(const std::string& option, const std::string& unit,
                         const std::string& help) {
-    command_.add_option(option, texts_[option], help)->type_name(unit);
+    command_.add_option(option, texts_[option], help)
+        ->type_name(unit)
+        ->take_last(); // as those of settings
 }
 
 std::optional<double> NumberOptions::value(const std::string& option) const {

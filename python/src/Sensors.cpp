@@ -1,6 +1,10 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -10,6 +14,7 @@
 #include "python/src/OpenProjects.h"
 #include "python/src/Results.h"
 #include "smatcore/analysis/Detection.h"
+#include "smatcore/analysis/DetectionCheck.h"
 #include "smatcore/support/NearestNames.h"
 #include "smatcore/tools/SensorOutput.h"
 
@@ -28,7 +33,7 @@ struct FileSensor {
 };
 
 double positive(const char* argument, double value, const char* expected) {
-    if (!(value > 0.0))
+    if (!(value > 0.0 && std::isfinite(value)))
         throw badArgument(argument, irsg::numberText(value), expected);
     return value;
 }
@@ -113,25 +118,56 @@ RangeComparison comparisonOf(const py::dict& given) {
             comparison.values.push_back(py::isinstance<py::str>(value)
                                             ? value.cast<std::string>()
                                             : irsg::numberText(value.cast<double>()));
-    if (comparison.values.empty())
-        throw badArgument("values", "nothing", "values of against");
-    const bool isPaint = comparison.against == RangeAgainst::paint;
-    if (isPaint == given["paint"].is_none())
-        throw badArgument("paint", isPaint ? "None" : "given",
-                          isPaint ? "the material of the target that is replaced"
-                                  : "None: only against='paint' has one");
-    if (isPaint)
+    if (!given["paint"].is_none())
         comparison.paint = given["paint"].cast<std::string>();
-    if (!given["sun_of"].is_none()) {
-        if (comparison.against != RangeAgainst::hour)
-            throw badArgument("sun_of", "given", "None: only against='hour' moves the sun");
+    if (!given["sun_of"].is_none())
         comparison.place = rangePlaceOf("sun_of", given["sun_of"].cast<std::string>());
-    }
-    for (const auto& [key, isGiven] : {std::pair("ranges_m", !given["ranges_m"].is_none()),
-                                       {"sensitivity", given["sensitivity"].cast<bool>()}})
-        if (isGiven)
-            throw badArgument(key, "given", "nothing beside against");
     return comparison;
+}
+
+/// Arguments of another name than the command's options have with - for _.
+constexpr std::pair<const char*, const char*> argumentNames[] = {
+    {"clutter", "clutter_K"},
+    {"ranges", "ranges_m"},
+    {"nearest", "nearest_m"},
+    {"farthest", "farthest_m"},
+    {"scene-contrast", "scene_contrast_K"},
+    {"display-pixel", "display_pixel_mrad"},
+    {"display-luminance", "display_luminance_cd_m2"},
+    {"background-temperature", "background_temperature_K"}};
+
+std::string argumentOf(std::string option) {
+    if (findSetting(option) != nullptr)
+        return option;
+    const auto named = std::ranges::find(argumentNames, option,
+                                         [](const auto& pair) { return std::string(pair.first); });
+    if (named != std::end(argumentNames))
+        return named->second;
+    std::ranges::replace(option, '-', '_');
+    return option;
+}
+
+std::string optionOf(std::string argument) {
+    const auto named = std::ranges::find(argumentNames, argument,
+                                         [](const auto& pair) { return std::string(pair.second); });
+    if (named != std::end(argumentNames))
+        return named->first;
+    std::ranges::replace(argument, '_', '-');
+    return argument;
+}
+
+/// What is neither None nor False, an empty list or no draws.
+GivenOptions givenOptions(const py::dict& request) {
+    GivenOptions given{argumentOf};
+    for (const auto& [key, value] : request) {
+        const auto name = key.cast<std::string>();
+        if (name == "settings")
+            for (const auto& [setting, text] : value.cast<std::map<std::string, std::string>>())
+                given.values[setting] = text;
+        else if (PyObject_IsTrue(value.ptr()) == 1)
+            given.values[optionOf(name)] = py::str(value).cast<std::string>();
+    }
+    return given;
 }
 
 DetectionRequest requestOf(const FileSensor& sensor, const py::dict& given) {
@@ -144,10 +180,14 @@ DetectionRequest requestOf(const FileSensor& sensor, const py::dict& given) {
     };
     request.criterion = static_cast<RangeCriterion>(
         wordOf("criterion", given["criterion"].cast<std::string>(), criterionWords()));
-    request.place = static_cast<PointPlace>(
-        wordOf("point", given["point"].cast<std::string>(), pointPlaceWords()));
+    if (!given["point"].is_none())
+        request.place = static_cast<PointPlace>(
+            wordOf("point", given["point"].cast<std::string>(), pointPlaceWords()));
     request.threshold = number("snr", request.threshold);
-    const std::size_t task = wordOf("task", given["task"].cast<std::string>(), rangeTaskWords());
+    const std::size_t task =
+        given["task"].is_none()
+            ? 0
+            : wordOf("task", given["task"].cast<std::string>(), rangeTaskWords());
     request.task.cyclesOfHalf = number("cycles", tasksOf(request.criterion)[task].cyclesOfHalf);
     request.task.probability = number("probability", request.task.probability);
     if (request.criterion == RangeCriterion::point && !given["probability"].is_none())
@@ -168,19 +208,16 @@ DetectionRequest requestOf(const FileSensor& sensor, const py::dict& given) {
     request.findsSensitivity = given["sensitivity"].cast<bool>();
     if (!given["ranges_m"].is_none())
         for (const double range_m : given["ranges_m"].cast<std::vector<double>>())
-            request.ranges_m.push_back(positive("ranges_m", range_m, "ranges above 0 m"));
+            request.ranges_m.push_back(range_m);
     request.cases = static_cast<RangeCases>(
         wordOf("cases", given["cases"].cast<std::string>(), rangeCasesWords()));
     if (!given["against"].is_none())
         request.comparison = comparisonOf(given);
-    for (const char* key : {"values", "paint", "sun_of"})
-        if (!request.comparison && !given[key].is_none())
-            throw badArgument(key, "given", "None without against");
-    request.draws = given["draws"].cast<std::size_t>();
-    if (request.draws > 0 && request.ranges_m.empty())
-        throw badArgument("draws", std::to_string(request.draws), "0 without ranges_m");
-    if (request.findsSensitivity && !request.ranges_m.empty())
-        throw badArgument("sensitivity", "True", "False with ranges_m: no range is sought");
+    constexpr long long mostDraws = 1'000'000;
+    const auto draws = given["draws"].cast<long long>();
+    if (draws < 0 || draws > mostDraws)
+        throw badArgument("draws", std::to_string(draws), "a whole number from 0 to 1000000");
+    request.draws = static_cast<std::size_t>(draws);
     request.display = {
         .pixel_mrad = number("display_pixel_mrad", request.display.pixel_mrad),
         .luminance_cd_m2 = number("display_luminance_cd_m2", request.display.luminance_cd_m2),
@@ -189,6 +226,7 @@ DetectionRequest requestOf(const FileSensor& sensor, const py::dict& given) {
     request.limits.farthest_m = number("farthest_m", request.limits.farthest_m);
     if (!given["background_temperature_K"].is_none())
         request.background_K = number("background_temperature_K", 0.0);
+    checkDetection(request, givenOptions(given));
     return request;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -58,11 +59,13 @@ void DetectionAspects::tellWarnings() {
 }
 
 double AspectRange::outcome() const {
-    return found.found == Found::atRange ? 0.0 : found.found == Found::beyond ? 1.0 : -1.0;
+    if (found.found == Found::nowhere)
+        return -1.0;
+    return found.found == Found::beyond || isRefusedBeyond ? 1.0 : 0.0;
 }
 
 bool AspectRange::isHiddenBeyond() const {
-    return found.found == Found::atRange && found.slope == 0.0;
+    return found.found == Found::atRange && found.slope == 0.0 && !isRefusedBeyond;
 }
 
 std::string AspectRange::warning() const {
@@ -70,6 +73,7 @@ std::string AspectRange::warning() const {
     for (const auto& [isSo, words] :
          {std::pair(isHiddenBeyond(), "hidden at longer ranges, at which its contrast is 0"),
           {found.found == Found::nowhere, "below the threshold at every range"},
+          {isRefusedBeyond, "above the threshold at the farthest range that the scene answers for"},
           {found.found == Found::beyond, "above the threshold at the farthest range"},
           {isResolved, "an image larger than a pixel: the range is overstated"},
           {look.isFull, "a background that fills the pixels"}})
@@ -83,8 +87,7 @@ std::optional<double> RangeSearch::ratio(TargetAspect& aspect, double range_m) {
         const TargetLook look = aspect.at(range_m, false);
         return std::copysign(sight_.reached(look), look.contrast_W_m2);
     } catch (const irsg::InputError& error) {
-        if (range_m < refused_.range_m)
-            refused_ = {range_m, error.what()};
+        refused_.emplace(range_m, error.what());
         return std::nullopt;
     }
 }
@@ -137,11 +140,18 @@ AspectRange RangeSearch::sampled(TargetAspect& aspect) {
 }
 
 AspectRange RangeSearch::find(TargetAspect& aspect) {
-    refused_ = {};
+    refused_.clear();
     AspectRange one = sampled(aspect);
     const irsg::DetectionRange& found = one.found;
     const TargetLook& look = one.look;
-    if (found.found == Found::atRange) {
+    constexpr double justBeyond = 1.001;
+    const auto refusedBeyond = refused_.upper_bound(found.range_m);
+    one.isRefusedBeyond = found.found == Found::atRange && found.slope == 0.0 &&
+                          refusedBeyond != refused_.end() &&
+                          refusedBeyond->first < justBeyond * found.range_m;
+    if (one.isRefusedBeyond) {
+        one.error_m = std::numeric_limits<double>::quiet_NaN();
+    } else if (found.found == Found::atRange) {
         one.error_m = std::max(request_.limits.tolerance, found.relativeError) * found.range_m;
         if (found.slope != 0.0)
             one.error_m =
@@ -153,13 +163,13 @@ AspectRange RangeSearch::find(TargetAspect& aspect) {
     never_ += found.found == Found::nowhere;
     beyond_ += found.found == Found::beyond;
     hidden_ += one.isHiddenBeyond();
+    refusedBeyond_ += one.isRefusedBeyond;
     full_ += look.isFull;
     // Behind a range at which it fades or is hidden nobody looks for it.
-    constexpr double justBeyond = 1.001;
-    const bool mayMatter =
-        found.found != Found::atRange || refused_.range_m < justBeyond * found.range_m;
-    if (mayMatter && refused_.range_m < leastRefused_.range_m)
-        leastRefused_ = refused_;
+    const auto least = refused_.begin();
+    if (least != refused_.end() && least->first < leastRefused_.range_m &&
+        (found.found != Found::atRange || least->first < justBeyond * found.range_m))
+        leastRefused_ = {least->first, least->second};
     resolved_ += one.isResolved;
     return one;
 }
@@ -168,6 +178,8 @@ void RangeSearch::tell(std::vector<std::string>& warnings) const {
     for (const auto& [count, what] :
          {std::pair(never_, "are below the threshold at every range: their range is 0"),
           {beyond_, "are above the threshold at the farthest range, which is given for them"},
+          {refusedBeyond_, "end where the scene refuses longer ranges, at which they may be above "
+                           "the threshold: the error of their range has no bound"},
           {hidden_,
            "end where the target is hidden: terrain or the horizon stands before all of it "
            "at longer ranges"},

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <functional>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -71,11 +72,13 @@ struct AspectRange {
     irsg::DetectionRange found;
     TargetLook look;            ///< at that range
     double sampledFrom_m = 0.0; ///< from where the target was sampled
-    double error_m = 0.0;       ///< at two standard deviations
+    double error_m = 0.0;       ///< at two standard deviations; NaN where there is no bound
     double extent = 0.0;        ///< side of the target's image in pixels
     bool isResolved = false;
+    /// Whether it ends because the scene refuses longer ranges, at which it may still be seen.
+    bool isRefusedBeyond = false;
 
-    /// 0 found, -1 nowhere, 1 beyond.
+    /// 0 found, -1 nowhere, 1 beyond, or beyond the ranges that the scene does not refuse.
     double outcome() const;
     /// Whether the contrast ends in a step to 0 there: something hides all of the target beyond.
     bool isHiddenBeyond() const;
@@ -109,12 +112,14 @@ class RangeSearch {
     /// Whether one sampling of it stood for all ranges, which terrain behind it prevents.
     std::optional<bool> isSampledOnce_;
     std::size_t done_ = 0, resolved_ = 0, never_ = 0, beyond_ = 0, hidden_ = 0, full_ = 0;
+    std::size_t refusedBeyond_ = 0;
     /// A range that the scene refuses: a path into the ground, say.
     struct Refused {
         double range_m = std::numeric_limits<double>::infinity();
         std::string why;
     };
-    Refused refused_, leastRefused_; ///< of the aspect, and of those whose range it may change
+    std::map<double, std::string> refused_; ///< ranges of the aspect
+    Refused leastRefused_;                  ///< of the aspects whose range it may change
 };
 
 } // namespace smat

@@ -5,10 +5,12 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 
 #include <fmt/format.h>
 
 #include "irsg/atmosphere/SolarPosition.h"
+#include "irsg/atmosphere/Vacuum.h"
 #include "irsg/core/CsvTable.h"
 #include "irsg/core/Errors.h"
 #include "irsg/core/Wording.h"
@@ -26,7 +28,6 @@ namespace smat {
 namespace {
 
 using Air = irsg::AtmosphereSmartParameters;
-using Found = irsg::DetectionRange::Found;
 
 /// One value, and what it changes.
 struct Variation {
@@ -102,10 +103,42 @@ Variation ofAir(RangeAgainst against, const std::string& word, const std::string
     return made;
 }
 
+bool dependsOnTime(const SceneDescription& scene) {
+    for (const irsg::Entity& entity : scene.entities) {
+        if (!entity.database)
+            continue;
+        for (const auto& [index, entry] : entity.database->temperatures) {
+            const auto isOverTime = [](const irsg::ComponentFactor& factor) {
+                return !factor.time.empty() && factor.selection == irsg::FactorSelection::table;
+            };
+            if (entry.mode == irsg::EmissionMode::temperature
+                    ? !entry.terms.time.empty()
+                    : std::ranges::any_of(entry.factors, isOverTime))
+                return true;
+        }
+    }
+    return false;
+}
+
+/// Whether the sun is seen at all: by surfaces, as a disc, or by air.
+bool dependsOnSun(const SceneDescription& scene) {
+    const auto isAir = [](const std::shared_ptr<const irsg::Atmosphere>& one) {
+        return dynamic_cast<const irsg::Vacuum*>(one.get()) == nullptr;
+    };
+    return scene.settings.sun != irsg::ReflectionMode::off || scene.settings.sunDisc ||
+           std::ranges::any_of(scene.environment.atmospheres(), isAir);
+}
+
 Variation ofHour(const RangeComparison& comparison, const std::string& text) {
     const double hour = numberOf("hour", text, 0.0, 24.0, "h");
     Variation made{fmt::format("hour {}", irsg::numberText(hour)), {hour}};
     made.time_s = 3600.0 * hour;
+    made.change = [](const SceneDescription& scene) {
+        if (!dependsOnTime(scene))
+            refuse("hour", "a scene without temperatures over time",
+                   "temperature tables over time in the database of a model, or a day and a place "
+                   "whose sun is seen");
+    };
     if (!comparison.place)
         return made;
     const auto& [date, latitude_deg, longitude_deg] = *comparison.place;
@@ -114,7 +147,12 @@ Variation ofHour(const RangeComparison& comparison, const std::string& text) {
     // The algorithm goes on beyond the ends of the day.
     time.hour = hour - longitude_deg / 15.0;
     const irsg::SunPosition sun = irsg::sunPosition(time, place);
-    made.change = [sun](SceneDescription& scene) { scene.environment.sun = sun; };
+    made.change = [sun](SceneDescription& scene) {
+        if (!dependsOnTime(scene) && !dependsOnSun(scene))
+            refuse("hour", "a scene without sun and temperatures over time",
+                   "a sun that shines on the target or its air, or temperature tables over time");
+        scene.environment.sun = sun;
+    };
     return made;
 }
 
@@ -129,6 +167,16 @@ Variation ofBand(const std::string& text) {
     Variation made{fmt::format("band {} um", text), {*from_um, *to_um}};
     made.band = irsg::SpectralRange{*from_um, *to_um};
     return made;
+}
+
+/// The materials that faces of a target have.
+std::set<int> materialsOf(const irsg::Entity& target) {
+    std::set<int> all;
+    for (const auto& [codes, use] : target.model->codes())
+        all.insert(target.database->materials.contains(codes.material) || !target.fallbackMaterial
+                       ? codes.material
+                       : *target.fallbackMaterial);
+    return all;
 }
 
 Variation ofPaint(const RangeComparison& comparison, const std::string& text, double column) {
@@ -155,7 +203,10 @@ Variation ofPaint(const RangeComparison& comparison, const std::string& text, do
                    "an emissivity from 0 to 1, or the name of a material of the target's database "
                    "or of the library");
         bool isThere = false;
+        const std::set<int> seen = materialsOf(target);
         for (auto& [index, material] : database->materials) {
+            if (!seen.contains(index))
+                continue;
             known.push_back(material.name);
             if (material.name != paint)
                 continue;
@@ -291,8 +342,8 @@ void runDetectionComparison(AnalysisData& data, const DetectionRequest& request,
                 all.ranges_m.push_back(seen.found.range_m);
                 all.errors_m.push_back(seen.error_m);
                 all.clutters_K.push_back(place.clutter.deviation_K);
-                all.nowhere += seen.found.found == Found::nowhere;
-                all.beyond += seen.found.found == Found::beyond;
+                all.nowhere += seen.outcome() < 0.0;
+                all.beyond += seen.outcome() > 0.0;
             },
             one.name + ", ");
         isStopped = all.ranges_m.size() < cases;

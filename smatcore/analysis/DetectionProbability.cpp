@@ -1,6 +1,7 @@
 #include "smatcore/analysis/DetectionProbability.h"
 
 #include <algorithm>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -32,6 +33,20 @@ std::vector<SceneDescription> drawnScenes(AnalysisData& data, const SceneDescrip
     return scenes;
 }
 
+/// The target at a range, or no signal where the scene refuses it, with the reason. No value is
+/// assigned within the try block: GCC 12 lets the call write over the assigned one, which then is
+/// lost when it throws.
+TargetLook lookAt(TargetAspect& aspect, double range_m, std::string& refusal) {
+    try {
+        return aspect.at(range_m, false);
+    } catch (const irsg::InputError& error) {
+        refusal = error.what();
+    }
+    TargetLook nothing;
+    nothing.nei_W_m2 = 1.0; // of no signal the ratio is 0
+    return nothing;
+}
+
 /// What is known at a range: the sums of the aspects that were looked at.
 struct AtRange {
     std::vector<double> byAspect, byDraw, reached;
@@ -55,7 +70,8 @@ struct AtRange {
             std::vector<double> means = byDraw;
             for (double& mean : means)
                 mean /= static_cast<double>(byAspect.size());
-            row.push_back(standardDeviationOf(means));
+            row.push_back(means.size() < 2 ? std::numeric_limits<double>::quiet_NaN()
+                                           : standardDeviationOf(means));
         }
         return row;
     }
@@ -70,6 +86,7 @@ void runDetectionProbability(AnalysisData& data, const DetectionRequest& request
     DetectionAspects aspects(data, request, door, scenes);
     const DetectionScene& shared = aspects.shared();
     TargetSight& sight = aspects.sight();
+    const std::vector<SceneDescription> drawn = drawnScenes(data, shared.scene, request.draws);
     if (control.isRehearsal)
         return shared.check(request.ranges_m.front());
     ResultTable& table = data.table;
@@ -81,7 +98,6 @@ void runDetectionProbability(AnalysisData& data, const DetectionRequest& request
     if (request.draws > 0)
         table.add("deviation_probability", "");
 
-    const std::vector<SceneDescription> drawn = drawnScenes(data, shared.scene, request.draws);
     progress.total = shared.plan.cases.size() * drawn.size();
     std::vector<AtRange> all(request.ranges_m.size());
     std::vector<double> clutters_K;
@@ -89,13 +105,7 @@ void runDetectionProbability(AnalysisData& data, const DetectionRequest& request
         if (request.measuresClutter)
             clutters_K.push_back(one.clutter.deviation_K);
         for (std::size_t i = 0; i < all.size(); ++i) {
-            TargetLook look;
-            look.nei_W_m2 = 1.0; // of no signal the ratio is 0
-            try {
-                look = one.aspect.at(request.ranges_m[i], false);
-            } catch (const irsg::InputError& error) {
-                all[i].refusal = error.what();
-            }
+            const TargetLook look = lookAt(one.aspect, request.ranges_m[i], all[i].refusal);
             all[i].probabilities.push_back(sight.probability(look));
             all[i].ratios.push_back(sight.reached(look));
             if (one.drawn + 1 == drawn.size())

@@ -12,7 +12,8 @@ namespace smat {
 /// `range` in m, `probability`, the mean over aspects and draws, `least_probability` and
 /// `greatest_probability` of the aspects, each the mean over the draws, and `snr` or `cycles`, the
 /// mean. With draws of the scaling files beside the models (sceneScalings, seed `scaling.seed`)
-/// also `deviation_probability`, the standard deviation over the draws of the mean over aspects.
+/// also `deviation_probability`, the standard deviation over the draws of the mean over aspects,
+/// NaN of one draw.
 /// Ranges that the scene refuses have the probability of noise alone, with a warning. A stop keeps
 /// the aspects that are done. Throws InputError.
 void runDetectionProbability(AnalysisData& data, const DetectionRequest& request,

@@ -158,6 +158,13 @@ double TargetAspect::reach_m() const {
     return shared_.door.reach_m(scene_.entities.front());
 }
 
+double TargetAspect::rise_m(double range_m) const {
+    AnalysisCase there = case_;
+    there.range_m = range_m;
+    const PlacedCase placed = shared_.placer.place(scene_, there);
+    return std::abs(placed.view.viewpoint.position_m.z - placed.referencePoints_m.front().z);
+}
+
 double TargetAspect::drawnBelow_m() const {
     // Where it is too near for one drawing, or reaches out of the frame.
     const irsg::Sensor& sensor = scene_.sensor;

@@ -60,6 +60,8 @@ class TargetAspect {
     /// drawn for each of them.
     double reach_m() const;
     double drawnBelow_m() const;
+    /// By how much the path from there climbs or sinks, m.
+    double rise_m(double range_m) const;
     /// From now on the target is sampled from this range alone and taken to be seen so from any
     /// other (irsg::Outputs::Reports::alongRangeFrom).
     void sampleFrom(double range_m);

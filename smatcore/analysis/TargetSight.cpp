@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "irsg/core/Errors.h"
+#include "irsg/core/Wording.h"
 #include "irsg/radiometry/GaussLegendre.h"
 #include "irsg/radiometry/Planck.h"
 #include "irsg/sensor/PointSpread.h"
@@ -13,6 +14,10 @@ namespace {
 
 /// Below it no temperature difference stands for a contrast.
 constexpr double leastBackground_K = 50.0;
+
+std::string percentText(double part) {
+    return irsg::roundedText(100.0 * part, 6) + " %";
+}
 
 } // namespace
 
@@ -115,8 +120,8 @@ double TargetSight::ratioOf(double probability) const {
     double low = 0.0, high = request_.threshold + 10.0;
     if (pointProbability(low) >= probability)
         throw irsg::InputError(
-            {"", "probability of detection", irsg::numberText(probability),
-             "more than that of a false alarm, " + irsg::numberText(pointProbability(low))});
+            {"", "probability of detection", percentText(probability),
+             "more than that of a false alarm, " + percentText(pointProbability(low))});
     while (pointProbability(high) < probability)
         high *= 2.0;
     for (int i = 0; i < 80; ++i) {

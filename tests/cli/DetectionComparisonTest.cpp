@@ -170,8 +170,16 @@ TEST(SmatBatchDetectionComparison, AnHourHasItsSunWhereAPlaceIsGiven) {
     const TemporaryFolder folder;
     const Words view = {"--step", "90", "--shadows", "off", "--ambient-reflection", "off"};
     const Words hours = {"--against", "hour", "--values", "8,12"};
-    const ResultTable still = detected(folder, sphere, with(view, hours));
-    EXPECT_EQ(valueOf(still, "detection_range", 0), valueOf(still, "detection_range", 1));
+    // Without one nothing of it is another at another hour.
+    for (const Words& still : {Words{}, {"--sun", "off", "--sun-of", "2025-06-21,48,15"}}) {
+        const Ran ran = smatBatch(with(with(with({"detection", sample(sphere), "--sensor",
+                                                  sensorFile(folder), "--out", folder / "x.csv"},
+                                                 view),
+                                            hours),
+                                       still));
+        EXPECT_EQ(ran.exitCode, 2) << still.size();
+        EXPECT_THAT(ran.err, HasSubstr("temperature"));
+    }
     const ResultTable moved =
         detected(folder, sphere, with(with(view, hours), {"--sun-of", "2025-06-21,48,15"}));
     // At 15 degrees east 8 h of mean solar time are 7 h of universal time.
@@ -184,6 +192,47 @@ TEST(SmatBatchDetectionComparison, AnHourHasItsSunWhereAPlaceIsGiven) {
     }
     EXPECT_NEAR(valueOf(moved, "detection_range", 0), expected_m, 1e-4 * expected_m);
     EXPECT_NE(valueOf(moved, "detection_range", 1), valueOf(moved, "detection_range", 0));
+}
+
+TEST(SmatBatchDetectionComparison, AMaterialThatNoFaceHasIsNoPaint) {
+    const TemporaryFolder folder;
+    const std::string project = boxWith(folder, 1.0);
+    std::string text = contentOf(folder / "signature.json");
+    const std::string head = "\"materials\": {";
+    ASSERT_NE(text.find(head), std::string::npos);
+    text.insert(text.find(head) + head.size(),
+                "\"77\": {\"name\": \"spare\", \"emissivity\": 0.5},");
+    write(folder / "signature.json", text);
+    std::filesystem::remove(folder / "box.sigdb");
+    ASSERT_EQ(smatBatch({"db", "import", folder / "signature.json", folder / "box.sigdb"}).exitCode,
+              0);
+    for (const auto& [paint, exitCode] : {std::pair{"spare", 2}, {"black", 0}}) {
+        const Ran ran = smatBatch(
+            with({"detection", project, "--sensor", sensorFile(folder), "--background-temperature",
+                  "300", "--step", "180", "--against", "paint", "--paint", paint, "--values",
+                  "0.1,0.9", "--out", folder / "x.csv"},
+                 plain));
+        EXPECT_EQ(ran.exitCode, exitCode) << paint << ran.err;
+    }
+}
+
+// The path of a view from above climbs out of the air that a longer one would be in.
+TEST(SmatBatchDetectionComparison, ExtinctionHasASensitivityOnLevelPathsAlone) {
+    const TemporaryFolder folder;
+    const auto extinctionAt = [&](const char* offset_deg, const Words& air) {
+        const ResultTable table =
+            detected(folder, sphere,
+                     with(with(with({"--step", "180", "--to", "10", "--altitude", "300",
+                                     "--sensitivity", "--offset", offset_deg},
+                                    air),
+                               plain),
+                          {}));
+        return valueOf(table, "sensitivity_extinction", 0);
+    };
+    const Words air = {"--atmosphere", atmosphere(folder, "air.xml", {"Visibility=20000"})};
+    EXPECT_LT(extinctionAt("0", air), -0.05);
+    EXPECT_TRUE(std::isnan(extinctionAt("5", air)));
+    EXPECT_NEAR(extinctionAt("5", {"--atmosphere", "vacuum"}), 0.0, 1e-6);
 }
 
 TEST(SmatBatchDetectionComparison, DirectionsAreThoseOfATableAndAgreeWithAPolarPlot) {

@@ -16,6 +16,46 @@ namespace {
 
 using testing::HasSubstr;
 
+// The haze of the sample answers to an optical depth of 8, which is some 1.3 km.
+TEST(SmatBatchDetectionProbability, RangesThatTheSceneRefusesHaveTheProbabilityOfNoiseAlone) {
+    const TemporaryFolder folder;
+    const std::vector<std::string> fog = {
+        "detection", sample("fog/fog.smat"),
+        "--sensor",  std::string(SMAT_SOURCE_DIR) + "/resources/sensors/cooled-mwir.smatsensor",
+        "--set",     "polar.from=0",
+        "--set",     "polar.to=1",
+        "--step",    "1",
+        "--out",     folder / "p.csv"};
+    for (const char* ranges : {"1000,2000", "2000", "2000,1000"}) {
+        const Ran ran = smatBatch(with(fog, {"--ranges", ranges}));
+        ASSERT_EQ(ran.exitCode, 0) << ran.err;
+        const ResultTable table = ResultTable::load(folder / "p.csv");
+        for (std::size_t row = 0; row < table.rowCount(); ++row) {
+            const bool isRefused = valueOf(table, "range", row) == 2000.0;
+            const double alone = 0.5 * std::erfc(5.0 / std::sqrt(2.0));
+            for (const char* key : {"probability", "least_probability", "greatest_probability"}) {
+                EXPECT_NEAR(valueOf(table, key, row), isRefused ? alone : 1.0, 1e-9)
+                    << ranges << ", " << key;
+            }
+            EXPECT_EQ(valueOf(table, "snr", row) == 0.0, isRefused) << ranges;
+            EXPECT_EQ(table.warningOf(row).empty(), !isRefused) << ranges;
+        }
+    }
+    // Seen as far as there is an answer: nothing hides it there.
+    const Ran ran = smatBatch(fog);
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    const ResultTable found = ResultTable::load(folder / "p.csv");
+    EXPECT_EQ(valueOf(found, "outcome", 0), 1.0);
+    EXPECT_TRUE(std::isnan(valueOf(found, "error_detection_range", 0)));
+    EXPECT_GT(valueOf(found, "detection_range", 0), 1000.0);
+    EXPECT_LT(valueOf(found, "detection_range", 0), 2000.0);
+    EXPECT_THAT(found.warningOf(0),
+                testing::StartsWith(
+                    "above the threshold at the farthest range that the scene answers for"));
+    EXPECT_THAT(ran.err, HasSubstr("2 of 2 aspects end where the scene refuses longer ranges"));
+    EXPECT_THAT(ran.err, testing::Not(HasSubstr("terrain")));
+}
+
 TEST(SmatBatchDetectionProbability, ProbabilityOverRangeIsThatOfTheSignalWithItsNoise) {
     const TemporaryFolder folder;
     const irsg::SensorDescription sensor = irsg::loadSensor(sensorFile(folder));

@@ -94,6 +94,37 @@ TEST(SmatBatchDetection, BarsAreResolvedWhereTheSensorSaysAndNearerForMore) {
     EXPECT_THAT(vacuum.err, HasSubstr("background"));
 }
 
+// Who asks for recognition and forgets the criterion would get the range of a point.
+TEST(SmatBatchDetection, RefusesOptionsThatDoNothingBesideTheOthers) {
+    const TemporaryFolder folder;
+    const std::vector<std::string> bars = {"--criterion", "johnson"};
+    for (const auto& [words, option] :
+         {std::pair<std::vector<std::string>, const char*>{{"--task", "recognition"}, "--task"},
+          {{"--cycles", "3"}, "--cycles"},
+          {{"--scene-contrast", "3"}, "--scene-contrast"},
+          {with(bars, {"--task", "recognition", "--cycles", "3"}), "--task"},
+          {with(bars, {"--clutter", "0.1"}), "--clutter"},
+          {with(bars, {"--point", "corner"}), "--point"},
+          {{"--snr", "5", "--false-alarms", "1e-6"}, "--false-alarms"},
+          {{"--leave-out", "black"}, "--leave-out"},
+          {{"--ranges", "1000", "--probability", "90"}, "--probability"},
+          {{"--band", "8-12"}, "--band"},
+          {{"--set", "sensor.band=8-12"}, "--band"},
+          {{"--response", "r.csv"}, "--response"},
+          {{"--range", "77"}, "--range"},
+          {{"--errors", "causes"}, "--errors"},
+          {{"--target-error", "0.5"}, "--target-error"},
+          {{"--by-part", "material"}, "--by-part"},
+          {{"--steps", "adaptive"}, "--steps"}}) {
+        const Ran ran = smatBatch(with({"detection", sample("sphere/sphere.smat"), "--sensor",
+                                        sensorFile(folder), "--out", folder / "x.csv"},
+                                       words));
+        EXPECT_EQ(ran.exitCode, 2) << option;
+        EXPECT_THAT(ran.err, HasSubstr("error: " + std::string(option) + ":")) << ran.err;
+        EXPECT_FALSE(std::filesystem::exists(folder / "x.csv"));
+    }
+}
+
 TEST(SmatBatchDetection, TargetingTaskIsMetWhereItsIntegralHasTheCycles) {
     const TemporaryFolder folder;
     const auto rangeOf = [&](const std::vector<std::string>& more) {
