@@ -57,8 +57,7 @@ class MonteCarloCommand {
             ->type_name("NAME");
         command
             .add_option("--kind", kind_,
-                        "polar, range, time or spectrum with the project's own settings, in place "
-                        "of --analysis")
+                        kindsText() + " with the project's own settings, in place of --analysis")
             ->type_name("WORD");
         numbers_.add("--samples", "N", "Draws at most, 1024 by default");
         command.add_option("--sequence", sequence_, "sobol (default) or plain draws")
@@ -146,6 +145,16 @@ class MonteCarloCommand {
     }
 
   private:
+    /// All kinds of analyses but images.
+    static std::vector<std::string> kinds() {
+        std::vector<std::string> words;
+        for (const AnalysisKind kind : allAnalysisKinds())
+            if (kind->form != AnalysisForm::image)
+                words.push_back(name(kind));
+        return words;
+    }
+    static std::string kindsText() { return irsg::alternatives(kinds()); }
+
     static void report(const std::vector<Outcome>& outcomes, const Context& context) {
         fmt::print("{}", context.json ? summaryJson(outcomes) : summaryText(outcomes));
     }
@@ -263,7 +272,7 @@ class MonteCarloCommand {
         if (!kind_.empty()) {
             const auto kind = analysisKindFromName(kind_);
             if (!kind || (*kind)->form == AnalysisForm::image)
-                throw wordRefusal("--kind", kind_, {"polar", "range", "time", "spectrum"});
+                throw wordRefusal("--kind", kind_, kinds());
             if (!analysis_.empty())
                 throw refusal("--kind", kind_, "nothing beside --analysis");
             return AnalysisData::of(project, *kind);

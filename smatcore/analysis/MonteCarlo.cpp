@@ -10,6 +10,8 @@
 #include "irsg/atmosphere/NearestRun.h"
 #include "irsg/core/AppendUnique.h"
 #include "irsg/core/Errors.h"
+#include "irsg/core/Quantity.h"
+#include "irsg/radiometry/Units.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/AnalysisProvenance.h"
 #include "smatcore/analysis/MonteCarloReport.h"
@@ -22,6 +24,11 @@
 namespace smat {
 
 namespace {
+
+double nearestOf(const std::vector<double>& values, double wanted) {
+    return *std::ranges::min_element(values, {},
+                                     [&](double value) { return std::abs(value - wanted); });
+}
 
 /// One run, from the plan to the table.
 class Run {
@@ -45,6 +52,7 @@ class Run {
                                     "any is drawn");
         if (analysis.kind->form != AnalysisForm::spectrum)
             data_.errors = errorColumnsOf(analysis.settings);
+        checkRankedPlace();
         scene_ = scenes(analysis.project, analysis.settings);
         scene_.environment = irsg::onTheFly(scene_.environment);
         irsg::appendUnique(analysis.warnings, scene_.remarks);
@@ -60,6 +68,35 @@ class Run {
             companions_.emplace(data_.scalings, data_.options.sequence, seed, true);
         total_ = plan_.cases.size() * static_cast<std::size_t>(data_.options.subpixelShifts) +
                  RealisationLoop::steps(data_.options.samples) + (data_.options.ranking ? 1 : 0);
+    }
+
+    /// The ranking is at an abscissa that there is: the nearest one within the sweep, which is
+    /// told.
+    void checkRankedPlace() {
+        if (!data_.options.rankingAt)
+            return;
+        const bool isSpectrum = plan_.kind->form == AnalysisForm::spectrum;
+        const irsg::QuantityInfo& axis =
+            irsg::info(isSpectrum ? irsg::Quantity::wavelength : plan_.coordinate);
+        std::vector<double> places;
+        for (const double wavenumber_per_cm : plan_.wavenumbers_per_cm)
+            places.push_back(irsg::wavelengthFromWavenumber_um(wavenumber_per_cm));
+        if (!isSpectrum) {
+            places.clear();
+            for (const AnalysisCase& one : plan_.cases)
+                places.push_back(one.coordinate);
+        }
+        const double at = *data_.options.rankingAt;
+        const auto [least, most] = std::ranges::minmax(places);
+        if (at < least || at > most)
+            throw monteCarloRefusal(
+                "ranking at", irsg::numberText(at),
+                fmt::format("an abscissa from {:.6g} to {:.6g} {}", least, most, axis.unit));
+        const double there = nearestOf(places, at);
+        if (!isSpectrum && there != at)
+            data_.analysis.warnings.push_back(
+                fmt::format("the ranking is of {:.6g} {}, the case that is nearest to {}", there,
+                            axis.unit, irsg::numberText(at)));
     }
 
     void renderViews() {

@@ -48,6 +48,10 @@ void MonteCarloOptions::check() const {
     require(!standardError || (*standardError > 0.0 && *standardError < 1.0), "standard error",
             standardError ? irsg::numberText(*standardError) : "",
             "a part above 0 and below 1 of the statistic's largest magnitude");
+    require(!standardError || hasBoundedError(statistic, samples), "standard error",
+            fmt::format("of the {} of at most {} draws", name(statistic), samples),
+            "a percentile with draws on both sides of it: more draws, or one farther from 0 and "
+            "100");
     require(isFrom(subpixelShifts, 1, mostSubpixelShifts), "subpixel shifts",
             std::to_string(subpixelShifts), wholeNumber(1, mostSubpixelShifts));
     require(isFrom(rankingPairs, leastRankingPairs, mostRankingPairs), "ranking pairs",
@@ -113,6 +117,12 @@ std::size_t MonteCarloData::nearest(double abscissa) const {
             return std::abs(a - abscissa) < std::abs(b - abscissa);
         });
     return static_cast<std::size_t>(found - abscissae.begin());
+}
+
+std::string MonteCarloData::rankedPlace() const {
+    if (!options.rankingAt || abscissae.empty())
+        return "";
+    return fmt::format("{:.6g} {}", abscissae[nearest(*options.rankingAt)], abscissaUnit);
 }
 
 std::vector<double> MonteCarloData::ofBand(const std::vector<double>& byPlace,

@@ -38,7 +38,7 @@ struct MonteCarloOptions {
     bool ranking = false;
     std::size_t rankingPairs = 1024; ///< draws with companions
     /// Where the ranking looks, in the unit of the abscissa (wavelength in um for spectra): the
-    /// nearest one; the whole sweep where it is not set.
+    /// nearest one, within the sweep; the whole sweep where it is not set.
     std::optional<double> rankingAt;
 
     /// Throws InputError naming every option that cannot be.
@@ -80,6 +80,8 @@ struct MonteCarloData {
     std::string equivalentCommand(const std::string& outputFile) const;
     /// The abscissa nearest to a number: its place in the first band.
     std::size_t nearest(double abscissa) const;
+    /// "90 deg": where the ranking looked; "" for the whole sweep.
+    std::string rankedPlace() const;
     /// Values over the abscissae of one band, from values by place.
     std::vector<double> ofBand(const std::vector<double>& byPlace, std::size_t band) const;
     /// "mean", or "mean@3-5um" of one of several bands: the key of a column.

@@ -55,6 +55,8 @@ ResultTable rankingTable(const MonteCarloData& data) {
         table.add(key, "");
     }
     table.provenance.add("kind", "0 temperature, 1 emissivity");
+    const std::string ranked = data.rankedPlace();
+    table.provenance.add("ranked at", ranked.empty() ? "all abscissae" : ranked);
     double place = 1.0;
     for (const RankedScaling& one : data.ranking) {
         const SceneScaling& scaling = data.scalings[one.scaling];

@@ -78,11 +78,13 @@ void summarise(MonteCarloData& data) {
                        estimated.standardError, data.unit});
     if (data.options.subpixelShifts > 1)
         summary.push_back({"Numerical error there", data.numericalError[widest], data.unit});
+    const std::string ranked = data.rankedPlace();
     for (const RankedScaling& one : data.ranking) {
         if (summary.size() >= 10)
             break;
-        summary.push_back(
-            {"First-order index of " + data.scalings[one.scaling].name, one.firstOrder.value, ""});
+        summary.push_back({"First-order index of " + data.scalings[one.scaling].name +
+                               (ranked.empty() ? "" : " at " + ranked),
+                           one.firstOrder.value, ""});
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -115,6 +116,8 @@ std::vector<Estimate> RealisationLoop::statisticsOf(const MonteCarloData& part) 
 double RealisationLoop::relativeErrorOf(const MonteCarloData& part) const {
     double error = 0.0, magnitude = 0.0;
     for (const Estimate& one : statisticsOf(part)) {
+        if (!std::isfinite(one.standardError)) // no bound yet
+            return std::numeric_limits<double>::infinity();
         error = std::max(error, one.standardError);
         magnitude = std::max(magnitude, std::abs(one.value));
     }

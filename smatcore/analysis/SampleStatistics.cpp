@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace smat {
 
@@ -56,8 +57,16 @@ double atRank(std::span<const double> ascending, double rank) {
     return ascending[below] + part * (ascending[above] - ascending[below]);
 }
 
+/// A percentile whose error the sample does not bound.
+Estimate unbounded(double value) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    return {value, none, none, none};
+}
+
 Estimate percentileEstimate(std::span<const double> values, double percent) {
     const std::vector<double> ascending = sorted(values);
+    if (!hasBoundedError({Statistic::Kind::percentile, percent}, values.size()))
+        return unbounded(percentileOf(ascending, percent));
     const double n = static_cast<double>(values.size()), p = percent / 100.0;
     const double reach = normal975 * std::sqrt(n * p * (1.0 - p));
     // P(X_(r) <= x_p) follows the binomial distribution; half a rank to its continuity.
@@ -72,6 +81,8 @@ Estimate percentileByReplicates(std::span<const double> values, std::size_t repl
                                 double percent) {
     const std::vector<double> ascending = sorted(values);
     const double value = percentileOf(ascending, percent);
+    if (!hasBoundedError({Statistic::Kind::percentile, percent}, values.size()))
+        return unbounded(value);
     std::vector<double> shares;
     for (std::size_t replicate = 0; replicate < std::min(replicates, values.size()); ++replicate) {
         double below = 0.0, count = 0.0;
@@ -122,6 +133,14 @@ double percentileOf(std::span<const double> ascending, double percent) {
     if (ascending.empty())
         return 0.0;
     return atRank(ascending, 1.0 + percent / 100.0 * static_cast<double>(ascending.size() - 1));
+}
+
+bool hasBoundedError(const Statistic& statistic, std::size_t count) {
+    if (statistic.kind != Statistic::Kind::percentile)
+        return true;
+    const double p = statistic.percent / 100.0;
+    constexpr double oneSide = 0.025;
+    return std::pow(std::max(p, 1.0 - p), static_cast<double>(count)) <= oneSide;
 }
 
 Estimate estimate(std::span<const double> values, const Statistic& statistic) {

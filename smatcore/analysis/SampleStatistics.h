@@ -31,9 +31,15 @@ double standardDeviationOf(std::span<const double> values);
 /// Of ascending values, linear between order statistics (Hyndman and Fan 1996, definition 7).
 double percentileOf(std::span<const double> ascending, double percent);
 
+/// Whether a sample of so many values bounds the statistic on both sides: of a percentile p the
+/// interval of 95 % that order statistics give, which none is wide enough for where p^n or
+/// (1 - p)^n is above 0.025.
+bool hasBoundedError(const Statistic& statistic, std::size_t count);
+
 /// From independent values. Mean: Student's t. Standard deviation: its asymptotic error with the
 /// sample's own kurtosis. Percentile: the order statistics at np -+ 1.96 sqrt(n p (1 - p)), free of
-/// any assumption about the distribution; beyond the sample's ends they are its ends.
+/// any assumption about the distribution; of one whose error the sample does not bound
+/// (hasBoundedError) error and interval are NaN.
 Estimate estimate(std::span<const double> values, const Statistic& statistic);
 /// From values that were dealt in turn to `replicates` independent point sets: value i belongs to
 /// set i mod replicates. The value is that of all together, its error follows from the sets' spread

@@ -3,6 +3,8 @@
 #include <chrono>
 #include <map>
 #include <memory>
+#include <set>
+#include <system_error>
 #include <utility>
 
 #include "irsg/core/Collect.h"
@@ -112,8 +114,15 @@ std::vector<PlannedJob> planJobs(const std::vector<Job>& jobs, bool byTeam) {
 
 void checkOutputs(const std::vector<std::filesystem::path>& files) {
     std::vector<irsg::Diagnostic> diagnostics;
-    for (const std::filesystem::path& file : files)
+    std::set<std::filesystem::path> places;
+    for (const std::filesystem::path& file : files) {
+        std::error_code unknown;
+        const auto place = std::filesystem::weakly_canonical(file, unknown);
+        if (!unknown && !places.insert(place).second)
+            diagnostics.push_back(
+                {file.string(), "", "two results", "a file for each, of a name of its own"});
         irsg::collect(diagnostics, [&] { irsg::checkWritable(file); });
+    }
     if (!diagnostics.empty())
         throw irsg::InputError(diagnostics);
 }

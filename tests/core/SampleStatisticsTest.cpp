@@ -100,6 +100,27 @@ TEST(SampleStatistics, StandsSamplesThatHaveNoSpreadOrNoValues) {
     EXPECT_NEAR(standardDeviationOf(std::vector<double>{1e9, 1e9 + 1e-3, 1e9 + 2e-3}), 1e-3, 1e-6);
 }
 
+TEST(SampleStatistics, PercentilesWithoutValuesBeyondThemHaveNoError) {
+    const std::vector<double> values = plainSample(5, 256);
+    for (const double percent : {0.0, 0.01, 99.99, 100.0}) {
+        const Statistic statistic{Kind::percentile, percent};
+        EXPECT_FALSE(hasBoundedError(statistic, values.size()));
+        for (const Estimate& one :
+             {estimate(values, statistic), estimateByReplicates(values, 8, statistic)}) {
+            EXPECT_TRUE(std::isnan(one.standardError)) << percent;
+            EXPECT_TRUE(std::isnan(one.low95) && std::isnan(one.high95)) << percent;
+            EXPECT_EQ(one.value, estimate(values, statistic).value);
+        }
+    }
+    // 0.95^n is 0.025 at 71.9 values.
+    EXPECT_FALSE(hasBoundedError({Kind::percentile, 95.0}, 71));
+    EXPECT_TRUE(hasBoundedError({Kind::percentile, 95.0}, 72));
+    EXPECT_FALSE(hasBoundedError({Kind::percentile, 5.0}, 71));
+    EXPECT_TRUE(hasBoundedError({Kind::percentile, 5.0}, 72));
+    EXPECT_FALSE(hasBoundedError({Kind::percentile, 100.0}, 1'000'000'000));
+    EXPECT_TRUE(hasBoundedError({}, 2));
+}
+
 TEST(SampleStatistics, CountsEveryValueOfAHistogramOnce) {
     const std::vector<double> values = plainSample(3, 5000);
     const SampleHistogram histogram = histogramOf(values);
