@@ -6,6 +6,7 @@
 #include "apps/smat-batch/SettingOptions.h"
 #include "irsg/core/Errors.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
+#include "smatcore/analysis/ImageSensor.h"
 
 namespace smat::batch {
 
@@ -59,6 +60,7 @@ class AnalysisCommand {
             job.data = started(project);
             job.data.settings = job.data.settings.with(given);
             settings_.requireNamed(job.data.settings);
+            refuseIdleOfSensor(job.data, given);
         }
         job.data.commandLine = context.commandLine;
         job.files.assign(files_.begin(), files_.end());

@@ -128,6 +128,15 @@ std::string placeOf(const CsvCell& cell) {
     return "line " + std::to_string(cell.line) + ", column " + std::to_string(cell.column);
 }
 
+/// What a value of n or k is not: n is above 0, k at least 0, both at most what any matter has.
+std::string indexValueExpected(const std::string& name, double value) {
+    constexpr double greatest = 1e4;
+    const bool isIndex = name == "n";
+    if (value <= greatest && (isIndex ? value > 0.0 : value >= 0.0))
+        return "";
+    return (isIndex ? "a value above 0, at most " : "a value from 0 to ") + numberText(greatest);
+}
+
 /// Fractions a little outside of 0 to 1 become the bound, with a remark.
 void checkValues(const CsvTable& table, CsvColumns& columns, std::vector<Diagnostic>& diagnostics) {
     BoundedValues bounds(0.0, 1.0);
@@ -138,8 +147,9 @@ void checkValues(const CsvTable& table, CsvColumns& columns, std::vector<Diagnos
             const CsvCell& cell = columns.cells[i][k];
             double& value = columns.values[i][k];
             const auto taken = isFraction ? bounds.take(value, placeOf(cell)) : value;
-            if (value < 0.0 && !isFraction)
-                diagnostics.push_back(table.diagnostic(cell, "a value of at least 0"));
+            const std::string expected = isFraction ? "" : indexValueExpected(optical->name, value);
+            if (!expected.empty())
+                diagnostics.push_back(table.diagnostic(cell, expected));
             else if (!taken)
                 diagnostics.push_back(table.diagnostic(
                     cell, value > 1.5 && value <= 100.0 ? "a fraction from 0 to 1, not percent"
@@ -156,6 +166,7 @@ void checkValues(const CsvTable& table, CsvColumns& columns, std::vector<Diagnos
 void readIndexBlocks(const CsvTable& table, Material& material) {
     std::vector<Diagnostic> diagnostics;
     Material read = material;
+    std::vector<const Optical*> met;
     const std::vector<CsvRow>& rows = table.rows();
     for (std::size_t first = 0; first < rows.size();) {
         const std::vector<CsvCell>& names = rows[first].cells;
@@ -173,10 +184,12 @@ void readIndexBlocks(const CsvTable& table, Material& material) {
             for (std::size_t i = 0; i < names.size(); ++i) {
                 const double value = table.number(rows[r].cells[i], diagnostics).value_or(0.0);
                 const bool ascends = i > 0 || columns[0].empty() || value > columns[0].back();
-                if (value < 0.0 || (i == 0 && !(value > 0.0 && ascends)))
-                    diagnostics.push_back(
-                        table.diagnostic(rows[r].cells[i], i == 0 ? "wavelengths in um that ascend"
-                                                                  : "a value of at least 0"));
+                const std::string expected =
+                    i > 0 ? indexValueExpected(columnName(names[i].text).name, value)
+                    : value > 0.0 && ascends ? ""
+                                             : "wavelengths in um that ascend";
+                if (!expected.empty())
+                    diagnostics.push_back(table.diagnostic(rows[r].cells[i], expected));
                 columns[i].push_back(value);
             }
         }
@@ -184,6 +197,8 @@ void readIndexBlocks(const CsvTable& table, Material& material) {
             const Optical* const optical = opticalNamed(columnName(names[i].text).name);
             if (optical == nullptr || optical->isFraction)
                 diagnostics.push_back(table.diagnostic(names[i], indexExpected()));
+            else if (std::ranges::find(met, optical) != met.end())
+                diagnostics.push_back(table.diagnostic(names[i], "each of n and k once"));
             else if (columns[0].empty())
                 diagnostics.push_back(table.diagnostic(names[i], "rows of numbers under it"));
             else if (diagnostics.empty())
@@ -191,6 +206,7 @@ void readIndexBlocks(const CsvTable& table, Material& material) {
                     columns[0].size() == 1
                         ? Spectrum::constant(columns[i].front())
                         : Spectrum(columns[0], columns[i], Spectrum::Outside::hold, table.file());
+            met.push_back(optical);
         }
         first = end;
     }

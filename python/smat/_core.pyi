@@ -575,7 +575,11 @@ class OpenProject:
     def set_database(self, database: SignatureDatabase, model: str) -> None: ...
     def save(self, file: _Path) -> None: ...
     def run(
-        self, kind: str, analysis: str, progress: Optional[Callable[[Progress], Any]]
+        self,
+        kind: str,
+        analysis: str,
+        given: Mapping[str, str],
+        progress: Optional[Callable[[Progress], Any]],
     ) -> list[Result]: ...
     def monte_carlo(
         self,

@@ -232,7 +232,7 @@ class Project:
         if given:
             project = _core.OpenProject(self._open)
             project.set_texts(given)
-        return project.run(kind, analysis, progress)
+        return project.run(kind, analysis, given, progress)
 
     def image(
         self, *, analysis: str = "", settings: Optional[Mapping[str, SettingValue]] = None,
@@ -314,8 +314,8 @@ class Project:
         *,
         criterion: str = "point",
         snr: Optional[float] = None,
-        point: str = "centre",
-        task: str = "detection",
+        point: Optional[str] = None,
+        task: Optional[str] = None,
         cycles: Optional[float] = None,
         probability: Optional[float] = None,
         false_alarms: Optional[float] = None,
@@ -349,10 +349,11 @@ class Project:
             By the signal to noise ratio of the target as a point, or by cycles across it.
         snr : float, optional
             Of a point: the ratio at which it is seen, 5.
-        point : {'centre', 'mean', 'corner'}
-            Where the image of the point lies on a pixel.
-        task : {'detection', 'recognition', 'identification'}
-            Of 'johnson' 0.75, 3 or 6, of 'ttp' 2.7, 14.5 or 18.8 cycles for a probability of 50 %.
+        point : {'centre', 'mean', 'corner'}, optional
+            Where the image of the point lies on a pixel; 'centre'.
+        task : {'detection', 'recognition', 'identification'}, optional
+            Of 'johnson' 0.75 (without it), 3 or 6, of 'ttp' 2.7, 14.5 or 18.8 cycles for a
+            probability of 50 %.
         cycles : float, optional
             In place of a task: its cycles.
         probability : float, optional
@@ -408,7 +409,7 @@ class Project:
         Raises
         ------
         InputError
-            For values that cannot be.
+            For values that cannot be, and for arguments that do nothing beside the others.
         """
         kind = "table" if cases == "directions" else "polar"
         given = {**texts(settings or {}), **texts_of_options(kind, options)}
@@ -440,6 +441,7 @@ class Project:
             "nearest_m": nearest_m,
             "farthest_m": farthest_m,
             "background_temperature_K": background_temperature_K,
+            "settings": given,
         }
         return project.detection(sensor, request, progress)
 

@@ -11,6 +11,7 @@
 #include "python/src/Results.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/AnalysisPlan.h"
+#include "smatcore/analysis/ImageSensor.h"
 #include "smatcore/analysis/PlacedCase.h"
 #include "smatcore/jobs/AnalysisJobs.h"
 #include "smatcore/project/AtmosphereInput.h"
@@ -72,16 +73,19 @@ std::size_t modelOf(const OpenProject& open, const std::string& model) {
     throw badArgument("model", model, oneOf(names, model));
 }
 
-std::vector<std::shared_ptr<AnalysisData>> runAnalyses(const OpenProject& open,
-                                                       const std::string& kind,
-                                                       const std::string& analysis,
-                                                       const py::object& progress) {
+std::vector<std::shared_ptr<AnalysisData>>
+runAnalyses(const OpenProject& open, const std::string& kind, const std::string& analysis,
+            const Texts& given, const py::object& progress) {
     prepareProcess();
     std::vector<std::shared_ptr<AnalysisData>> results;
     PythonProgress watch(progress);
     withoutLock([&] {
         Job job;
         job.data = analysisOf(open, kind, analysis);
+        Settings beside;
+        for (const auto& [key, text] : given)
+            beside.set(key, text);
+        refuseIdleOfSensor(job.data, beside);
         std::vector<PlannedJob> jobs = planJobs({job});
         const Pool<JobRunner>::Lease runner(*open.runners);
         runner->scenes().setDatabaseOverrides(open.databases);
@@ -266,7 +270,8 @@ void addProjects(py::module_& module) {
                 withoutLock([&] { saveProject(project, file); });
             },
             py::arg("file"))
-        .def("run", &runAnalyses, py::arg("kind"), py::arg("analysis"), py::arg("progress"))
+        .def("run", &runAnalyses, py::arg("kind"), py::arg("analysis"), py::arg("given"),
+             py::arg("progress"))
         .def("view", &sceneViewOf)
         .def(py::pickle(
             [](const OpenProject& open) {

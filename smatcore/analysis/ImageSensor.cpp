@@ -49,8 +49,42 @@ void followSensor(AnalysisData& data) {
 }
 
 void followSensor(const AnalysisData& data, SceneDescription& scene) {
-    if (const auto sensor = sensorOfImage(data))
-        followSensor(*sensor, scene);
+    const auto sensor = sensorOfImage(data);
+    if (!sensor)
+        return;
+    followSensor(*sensor, scene);
+    checkSensorGrid(*sensor, data.settings);
+    (void)irsg::PointSpread(*sensor, 300.0); // refuses one that no image holds
+}
+
+void refuseIdleOfSensor(const AnalysisData& data, const Settings& given) {
+    if (data.kind->form != AnalysisForm::image)
+        return;
+    const auto sensor = data.settings[key::imageSensor];
+    const std::vector<std::string> idle =
+        sensor.empty()
+            ? std::vector<std::string>{key::imageSensorSamples, key::imageNoiseSeed}
+            : std::vector<std::string>{key::sensorWidth, key::sensorHeight, key::sensorFov,
+                                       key::sensorBand, key::sensorResponse};
+    std::vector<irsg::Diagnostic> diagnostics;
+    for (const std::string& key : idle)
+        if (given.isSet(key))
+            diagnostics.push_back(
+                {settingInfo(key).option, "", given.text(key),
+                 sensor.empty() ? "nothing without a sensor (image.sensor) that reads the image"
+                                : "nothing: the sensor that reads the image gives it, " +
+                                      sensor.front().string()});
+    if (!diagnostics.empty())
+        throw irsg::InputError(std::move(diagnostics));
+}
+
+void checkSensorGrid(const irsg::SensorDescription& sensor, const Settings& settings) {
+    const int samples = settings[key::imageSensorSamples];
+    if (samples * std::max(sensor.detector.columns, sensor.detector.rows) >
+        irsg::largestResolution_px)
+        throw irsg::InputError({"", key::imageSensorSamples.name, std::to_string(samples),
+                                fmt::format("at most {} samples of the image along a side",
+                                            irsg::largestResolution_px)});
 }
 
 irsg::SensorReading drawThroughSensor(irsg::RadianceImage& image, const irsg::SensorChain& chain,
@@ -60,11 +94,6 @@ irsg::SensorReading drawThroughSensor(irsg::RadianceImage& image, const irsg::Se
     PlacedCase finer = placed;
     finer.view.sensor.width_px *= samples;
     finer.view.sensor.height_px *= samples;
-    if (std::max(finer.view.sensor.width_px, finer.view.sensor.height_px) >
-        irsg::largestResolution_px)
-        throw irsg::InputError({"", key::imageSensorSamples.name, std::to_string(samples),
-                                fmt::format("at most {} samples of the image along a side",
-                                            irsg::largestResolution_px)});
     image = finer.render(door, irsg::Outputs::image()).image;
     irsg::SensorReading reading =
         irsg::readBySensor(image, chain, samples, noise.seed, noise.frame);

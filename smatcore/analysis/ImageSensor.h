@@ -15,13 +15,21 @@ namespace smat {
 /// band of its file in the place of those of the settings. Does nothing to other analyses. Throws
 /// InputError.
 void followSensor(AnalysisData& data);
-/// The same of a scene, whose band becomes the sensor's response.
+/// The same of a scene, whose band becomes the sensor's response, with all that drawing through the
+/// sensor would refuse.
 void followSensor(const AnalysisData& data, SceneDescription& scene);
+
+/// Throws InputError for what was given of an image and does nothing: columns, rows, field of view
+/// and band beside a sensor, and how it samples and its seed without one.
+void refuseIdleOfSensor(const AnalysisData& data, const Settings& given);
 
 /// Puts columns, rows, field of view and band of a sensor in the place of those of the settings.
 void followSensor(const irsg::SensorDescription& sensor, Settings& settings);
 /// Of a scene: its band becomes the sensor's response.
 void followSensor(const irsg::SensorDescription& sensor, SceneDescription& scene);
+
+/// Throws InputError for more samples along a side of the image than an image may have.
+void checkSensorGrid(const irsg::SensorDescription& sensor, const Settings& settings);
 
 /// Whose noise a frame has.
 struct FrameNoise {

@@ -18,10 +18,11 @@ std::shared_ptr<const irsg::Atmosphere> openAtmosphere(const std::filesystem::pa
         return std::make_shared<irsg::Vacuum>();
     std::error_code failure;
     if (!std::filesystem::is_regular_file(input, failure)) {
-        throw irsg::InputError(irsg::Diagnostic{.file = input.string(),
-                                                .position = "",
-                                                .value = "no such file",
-                                                .expected = "none, vacuum or an atmosphere file"});
+        throw irsg::InputError(irsg::Diagnostic{
+            .file = input.string(),
+            .position = "",
+            .value = std::filesystem::is_directory(input, failure) ? "a folder" : "no such file",
+            .expected = "none, vacuum or an atmosphere file"});
     }
     logInfo("reading atmosphere " + input.string());
     return irsg::loadAtmosphere(input);

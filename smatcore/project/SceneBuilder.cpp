@@ -142,11 +142,13 @@ void SceneBuilder::setDatabaseOverrides(DatabaseOverrides overrides) {
 
 irsg::FileStamp SceneBuilder::stampOf(const std::filesystem::path& file, const char* what) {
     const auto stamp = irsg::stampOf(file);
+    std::error_code unknown;
     if (!stamp)
-        throw irsg::InputError({.file = file.string(),
-                                .position = "",
-                                .value = "no such file",
-                                .expected = what + std::string(" that exists")});
+        throw irsg::InputError(
+            {.file = file.string(),
+             .position = "",
+             .value = std::filesystem::is_directory(file, unknown) ? "a folder" : "no such file",
+             .expected = what + std::string(" that exists")});
     return *stamp;
 }
 

@@ -136,6 +136,7 @@ class Loader {
                    "false with a sensor, whose pixels mix what layers tell apart");
         loaded.chain = std::make_shared<const irsg::SensorChain>(
             irsg::loadSensor(scenario_.resolve(file.front())));
+        checkSensorGrid(loaded.chain->sensor(), loaded.settings);
         followSensor(loaded.chain->sensor(), loaded.settings);
     }
 

@@ -241,6 +241,38 @@ TEST_F(Rehearsal, RefusesAFilmWithoutAPlaceForIt) {
     expectRefusedAlike(words, "a folder that does not exist");
 }
 
+TEST_F(Rehearsal, RefusesASensorThatNoFrameIsDrawnThrough) {
+    const std::string shipped =
+        contentOf(std::string(SMAT_SOURCE_DIR) + "/resources/sensors/cooled-mwir.smatsensor");
+    nlohmann::json sensor = nlohmann::json::parse(shipped, nullptr, true, true);
+    sensor["detector"]["columns"] = 16384;
+    write(folder_ / "wide.smatsensor", sensor.dump());
+    expectRefusedAlike({"image", "p.smat", "--sensor", "wide.smatsensor", "--out", "r.exr"},
+                       "image.sensorSamples");
+    expectRefusedAlike(
+        {"simulate", "s.json", "--set", "image.sensor=wide.smatsensor", "--out", "frames"},
+        "image.sensorSamples");
+    sensor["detector"]["columns"] = 64;
+    sensor["motion"]["jitter_urad"] = 1e6;
+    write(folder_ / "wide.smatsensor", sensor.dump());
+    expectRefusedAlike({"image", "p.smat", "--sensor", "wide.smatsensor", "--out", "r.exr"},
+                       "a point spread over more than");
+    // What the sensor gives, and what only a sensor takes.
+    for (const Words& idle : {Words{"--width", "100"}, {"--fov", "10"}, {"--band", "8-12"}}) {
+        Words words = {"image", "p.smat", "--sensor", "wide.smatsensor", "--out", "r.exr"};
+        words.insert(words.end(), idle.begin(), idle.end());
+        expectRefusedAlike(words, idle.front() + ": found");
+    }
+    expectRefusedAlike({"image", "p.smat", "--noise-seed", "3", "--out", "r.exr"},
+                       "--noise-seed: found");
+    fs::remove(irsg::scalingFile(folder_ / "box.flt", irsg::ScalingKind::emissivity));
+    fs::remove(irsg::scalingFile(folder_ / "box.flt", irsg::ScalingKind::temperature));
+    expectRefusedAlike({"detection", "p.smat", "--sensor",
+                        std::string(SMAT_SOURCE_DIR) + "/resources/sensors/cooled-mwir.smatsensor",
+                        "--ranges", "1000", "--draws", "2", "--out", "r.csv"},
+                       "scaling file");
+}
+
 TEST_F(Rehearsal, RefusesToGoOnWithCasesOfAnotherSweep) {
     write(folder_ / "r.csv.cases", "{\"format\": 1}\n");
     for (Words words :
@@ -264,6 +296,13 @@ TEST_F(Rehearsal, OfMonteCarloRefusesWhatCannotBeDrawn) {
     expectRefusedAlike(with(ofProject, {"--shard", "1/2", "--ranking"}), "ranking");
     expectRefusedAlike(with(ofProject, {"--shard", "1/2", "--draws", "d.csv"}), "--draws");
     expectRefusedAlike(with(ofProject, {"--samples", "10000000"}), "values in all");
+    // One file cannot hold two results.
+    expectRefusedAlike(with(ofProject, {"--draws", "r.csv"}), "two results");
+    expectRefusedAlike(with(ofProject, {"--ranking", "--draws", "./r-ranking.csv"}), "two results");
+    // At which the sweep has no case, and a percentile that no number of draws bounds.
+    expectRefusedAlike(with(ofProject, {"--ranking-at", "1e9"}), "from 0 to 355 deg");
+    expectRefusedAlike(with(ofProject, {"--statistic", "p100", "--standard-error", "0.01"}),
+                       "draws on both sides");
     // Files of a scenario have the names of its parts.
     fs::create_directory(folder_ / "m-south-box.csv");
     expectRefusedAlike(ofScenario, "m-south-box.csv");

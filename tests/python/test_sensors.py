@@ -126,6 +126,22 @@ def test_directions_and_comparisons_are_those_of_the_command_line(sensor, file, 
     assert ours.table["detection_range"][0] < ours.table["detection_range"][1]
 
 
+def test_what_a_sensor_gives_is_refused_beside_it(file, samples):
+    project = smat.Project(samples / "sphere" / "sphere.smat")
+    with pytest.raises(smat.InputError, match="--band"):
+        project.image(sensor=file, band="8-12")
+    with pytest.raises(smat.InputError, match="--noise-seed"):
+        project.image(noise_seed=3)
+
+
+@pytest.mark.parametrize("wrong", [np.nan, np.inf])
+def test_a_radiance_that_is_no_number_is_refused_by_its_place(sensor, wrong):
+    radiance = np.full(sensor.shape, 1.16)
+    radiance[1, 3] = wrong
+    with pytest.raises(smat.InputError, match="row 1, column 3"):
+        sensor.read(radiance)
+
+
 @pytest.mark.parametrize(
     "wrong, named",
     [({"snr": 0}, "snr"), ({"criterion": "luck"}, "johnson"), ({"point": "side"}, "corner"), ({"false_alarms": 0.5}, "false alarm"),
@@ -134,7 +150,16 @@ def test_directions_and_comparisons_are_those_of_the_command_line(sensor, file, 
      ({"cases": "all"}, "directions"), ({"values": [1]}, "values"), ({"against": "tide", "values": [1]}, "wind"),
      ({"against": "wind", "values": [5]}, "AtmosphereSmart"), ({"against": "paint", "values": [0.5]}, "paint"),
      ({"against": "hour", "values": [5], "sun_of": "today"}, "sun_of"), ({"against": "hour"}, "values"),
-     ({"clutter_K": "much"}, "auto"), ({"draws": 3}, "ranges_m"), ({"ranges_m": [0.0]}, "ranges_m")],
+     ({"clutter_K": "much"}, "auto"), ({"draws": 3}, "ranges_m"), ({"ranges_m": [0.0]}, "ranges_m"),
+     ({"ranges_m": [np.inf]}, "ranges_m"), ({"clutter_K": np.inf}, "clutter_K"), ({"draws": -1, "ranges_m": [1.0]}, "draws"),
+     ({"criterion": "johnson", "clutter_K": 5.0}, "clutter_K"), ({"criterion": "johnson", "clutter_K": "auto"}, "clutter_K"),
+     ({"criterion": "johnson", "snr": 5}, "snr"), ({"criterion": "johnson", "false_alarms": 1e-6}, "false_alarms"),
+     ({"criterion": "johnson", "point": "corner"}, "point"), ({"criterion": "johnson", "scene_contrast_K": 5}, "scene_contrast_K"),
+     ({"criterion": "johnson", "task": "recognition", "cycles": 3}, "task"),
+     ({"task": "recognition"}, "task"), ({"cycles": 3}, "cycles"), ({"leave_out": ["black"]}, "leave_out"),
+     ({"scene_contrast_K": 5}, "scene_contrast_K"), ({"snr": 5, "false_alarms": 1e-6}, "false_alarms"),
+     ({"ranges_m": [1.0], "nearest_m": 10}, "nearest_m"), ({"ranges_m": [1.0], "probability": 0.9}, "probability"),
+     ({"band": "8-12"}, "band"), ({"range": 77}, "range"), ({"settings": {"render.errors": "sum"}}, "errors")],
 )
 def test_wrong_questions_are_refused_by_name(sensor, samples, wrong, named):
     with pytest.raises(smat.InputError, match=named):

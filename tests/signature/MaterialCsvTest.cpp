@@ -78,7 +78,14 @@ TEST(MaterialCsv, TakesTheBlocksOfRefractiveIndexInfo) {
     EXPECT_THAT(told("wl,n\n3,x\n"), HasSubstr("line 2, column 2"));
     EXPECT_THAT(told("wl,q\n3,4\n"), HasSubstr("'n' or 'k'"));
     EXPECT_THAT(told("wl,n\n3\n"), HasSubstr("line 2"));
-    EXPECT_THAT(told("um,n\n3,-4\n5,1\n"), HasSubstr("at least 0"));
+    EXPECT_THAT(told("wl,n\n3,4.1\n5,5.3\nwl,n\n3,1\n5,2\n"), HasSubstr("line 4, column 2"));
+    EXPECT_THAT(told("wl,n,n\n3,4.1,4\n"), HasSubstr("line 1, column 3"));
+    for (const char* n : {"0", "-1", "1e300"}) {
+        EXPECT_THAT(told(std::string("wl,n\n3,") + n + "\n"), HasSubstr("line 2, column 2")) << n;
+        EXPECT_THAT(told(std::string("um,n\n3,1\n4,") + n + "\n"), HasSubstr("line 3, column 2"))
+            << n;
+    }
+    EXPECT_THAT(told("um,n\n3,-4\n5,1\n"), HasSubstr("above 0"));
 }
 
 TEST(MaterialCsv, TakesATableOfReflectanceAsAModel) {
