@@ -16,6 +16,7 @@
 #include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/CommandSettings.h"
 #include "smatcore/analysis/DetectionAspects.h"
+#include "smatcore/analysis/DetectionCheck.h"
 #include "smatcore/analysis/DetectionComparison.h"
 #include "smatcore/analysis/DetectionProbability.h"
 #include "smatcore/analysis/DetectionProvenance.h"
@@ -150,8 +151,14 @@ std::string detectionCommand(const Project& project, const Settings& settings,
     number("--looks", request.limits.looksPerDecade, usual.limits.looksPerDecade);
     if (request.background_K)
         number("--background-temperature", *request.background_K, 0.0);
+    Settings own = settings;
+    for (const std::string& key : idleSettings(request))
+        if (project.settings.isSet(key))
+            own.set(key, project.settings.text(key));
+        else
+            own.reset(key);
     return command +
-           settingOptions(project, settings, project.settings, kindOf(request.cases),
+           settingOptions(project, own, project.settings, kindOf(request.cases),
                           request.cases != RangeCases::aspects) +
            " --out " + shellQuoted(outputFile);
 }

@@ -8,6 +8,7 @@
 #include "irsg/core/Errors.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/settings/AnalysisSections.h"
+#include "smatcore/settings/SettingInfo.h"
 #include "smatcore/settings/SettingKeys.h"
 
 namespace smat {
@@ -95,27 +96,28 @@ void checkRanges(const DetectionRequest& request, const GivenOptions& given, Che
                   "a range beyond the nearest, " + irsg::numberText(limits.nearest_m) + " m");
 }
 
-/// Those of the cases that the sensor, or the search, takes the place of.
-void checkSettings(const DetectionRequest& request, const GivenOptions& given, Check& check) {
-    check.idle({key::sensorBand.name, key::sensorResponse.name}, true,
-               "nothing: the band is that of the sensor");
-    check.idle({key::cameraRange.name}, !request.measuresClutter,
-               "nothing: the target is looked at over all ranges");
-    check.idle({key::renderErrors.name, key::renderParts.name, key::renderTargetError.name}, true,
-               "nothing: a detection has the errors of its ranges, and no parts");
-    const std::string steps = key::stepsOf(name(kindOf(request.cases)));
-    check.idle({steps}, given.has(steps) && given.values.at(steps) == "adaptive",
-               "fixed: a range is sought for each case");
-}
-
 } // namespace
+
+std::vector<std::string> idleSettings(const DetectionRequest& request) {
+    std::vector<std::string> keys = {key::sensorBand, key::sensorResponse, key::renderErrors,
+                                     key::renderParts, key::renderTargetError};
+    const std::string steps = key::stepsOf(name(kindOf(request.cases)));
+    if (findSetting(steps) != nullptr)
+        keys.push_back(steps);
+    if (!request.measuresClutter)
+        keys.push_back(key::cameraRange);
+    return keys;
+}
 
 void checkDetection(const DetectionRequest& request, const GivenOptions& given) {
     Check check(given);
     checkCriterion(request, given, check);
     checkComparison(request, given, check);
     checkRanges(request, given, check);
-    checkSettings(request, given, check);
+    for (const std::string& setting : idleSettings(request))
+        check.idle({setting}, true,
+                   "nothing: band, ranges, steps and errors of a detection are those of its sensor "
+                   "and its search");
     check.end();
 }
 

@@ -3,6 +3,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "smatcore/analysis/DetectionRequest.h"
 
@@ -18,6 +19,10 @@ struct GivenOptions {
 
     bool has(const std::string& option) const { return values.contains(option); }
 };
+
+/// The keys of settings of the cases that do nothing for a detection, in whose place are the sensor
+/// and the search.
+std::vector<std::string> idleSettings(const DetectionRequest& request);
 
 /// Throws InputError with a diagnostic for each option that was given and does nothing beside the
 /// others, for each that is missing, and for ranges, clutter and limits that cannot be.

@@ -49,7 +49,7 @@ void MonteCarloOptions::check() const {
             standardError ? irsg::numberText(*standardError) : "",
             "a part above 0 and below 1 of the statistic's largest magnitude");
     require(!standardError || hasBoundedError(statistic, samples), "standard error",
-            fmt::format("of the {} of at most {} draws", name(statistic), samples),
+            fmt::format("that of the {} of at most {} draws", name(statistic), samples),
             "a percentile with draws on both sides of it: more draws, or one farther from 0 and "
             "100");
     require(isFrom(subpixelShifts, 1, mostSubpixelShifts), "subpixel shifts",

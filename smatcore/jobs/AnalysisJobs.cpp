@@ -117,7 +117,8 @@ void checkOutputs(const std::vector<std::filesystem::path>& files) {
     std::set<std::filesystem::path> places;
     for (const std::filesystem::path& file : files) {
         std::error_code unknown;
-        const auto place = std::filesystem::weakly_canonical(file, unknown);
+        const auto place =
+            std::filesystem::weakly_canonical(std::filesystem::absolute(file, unknown), unknown);
         if (!unknown && !places.insert(place).second)
             diagnostics.push_back(
                 {file.string(), "", "two results", "a file for each, of a name of its own"});

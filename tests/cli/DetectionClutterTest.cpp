@@ -328,16 +328,15 @@ TEST(SmatBatchDetectionClutter, OfTheHorizonIsThatOfItsRows) {
 TEST(SmatBatchDetectionClutter, ClutterOfAnEvenBackgroundIsNone) {
     const TemporaryFolder folder;
     const auto tableOf = [&](const std::vector<std::string>& more) {
-        const Ran ran =
-            smatBatch(with(with({"detection", sample("sphere/sphere.smat"), "--sensor",
-                                 sensorFile(folder), "--step", "180", "--range", "20000",
-                                 "--background-temperature", "300", "--out", folder / "c.csv"},
-                                plain),
-                           more));
+        const Ran ran = smatBatch(with(
+            with({"detection", sample("sphere/sphere.smat"), "--sensor", sensorFile(folder),
+                  "--step", "180", "--background-temperature", "300", "--out", folder / "c.csv"},
+                 plain),
+            more));
         EXPECT_EQ(ran.exitCode, 0) << ran.err;
         return ResultTable::load(folder / "c.csv");
     };
-    const ResultTable even = tableOf({"--clutter", "auto"});
+    const ResultTable even = tableOf({"--range", "20000", "--clutter", "auto"});
     EXPECT_NEAR(valueOf(even, "clutter", 0), 0.0, 1e-9);
     EXPECT_NEAR(valueOf(even, "detection_range", 0) / valueOf(tableOf({}), "detection_range", 0),
                 1.0, 1e-6);

@@ -36,13 +36,16 @@ TEST_F(SmatBatchGas, WritesTheSpectrumAndTheBand) {
     const ResultTable table = made({"--layer", plume, "--band", "3-5"});
     const auto& nu = table.find("wavenumber")->values;
     ASSERT_EQ(nu.size(), 268u);
-    EXPECT_EQ(nu.front(), 2000.0);
-    EXPECT_EQ(nu.back(), 3335.0);
+    // Cells about multiples of 5 cm-1, of which the band cuts the first and the last.
+    EXPECT_EQ(nu.front(), 0.5 * (2000.0 + 2002.5));
+    EXPECT_EQ(nu[1], 2005.0);
+    EXPECT_NEAR(nu.back(), 0.5 * (3332.5 + 1e4 / 3.0), 1e-9);
     EXPECT_EQ(table.find("spectral_radiance")->unit, "W m-2 sr-1 um-1");
     double sum = 0.0, mean = 0.0;
     for (std::size_t i = 0; i < nu.size(); ++i) {
-        const double lower = std::max(2000.0, nu[i] - 2.5),
-                     upper = std::min(1e4 / 3.0, nu[i] + 2.5);
+        const double multiple = 2000.0 + 5.0 * static_cast<double>(i);
+        const double lower = std::max(2000.0, multiple - 2.5),
+                     upper = std::min(1e4 / 3.0, multiple + 2.5);
         const double width_um = 1e4 / lower - 1e4 / upper;
         sum += table.find("spectral_radiance")->values[i] * width_um;
         mean += table.find("transmittance")->values[i] * width_um / 2.0;

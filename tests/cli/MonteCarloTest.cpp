@@ -240,7 +240,8 @@ TEST_F(SmatBatchMonteCarlo, RepeatsAKindWithTheSettingsOfTheProject) {
                          "range.points=3", "--out", "mc.csv"});
     ASSERT_EQ(ran.exitCode, 0) << ran.err;
     EXPECT_EQ(ResultTable::load(folder / "mc.csv").rowCount(), 3u);
-    EXPECT_THAT(run({"--kind", "image", "--out", "mc.csv"}).err, HasSubstr("polar, range, time"));
+    EXPECT_THAT(run({"--kind", "image", "--out", "mc.csv"}).err,
+                HasSubstr("spectrum, polar, time, range, condition"));
     EXPECT_THAT(run({"--kind", "polar", "--analysis", "turn", "--out", "mc.csv"}).err,
                 HasSubstr("nothing beside --analysis"));
 }

@@ -329,7 +329,7 @@ TEST_F(SceneBuilderTest, AProjectWithoutModelsIsRefused) {
 TEST_F(SceneBuilderTest, AFolderIsNoModel) {
     project.models[0].file = ".";
     ASSERT_EQ(refused().size(), 1u);
-    EXPECT_EQ(refused()[0].value, "no such file");
+    EXPECT_EQ(refused()[0].value, "a folder");
 }
 
 TEST(SettingsOfRendering, AreThoseOfTheLibraryByDefault) {

@@ -2,6 +2,7 @@
 
 import json
 import pickle
+import shlex
 
 import numpy as np
 import pytest
@@ -132,6 +133,18 @@ def test_what_a_sensor_gives_is_refused_beside_it(file, samples):
         project.image(sensor=file, band="8-12")
     with pytest.raises(smat.InputError, match="--noise-seed"):
         project.image(noise_seed=3)
+
+
+def test_the_command_of_a_detection_leaves_out_what_does_nothing_for_it(sensor, file, samples, batch, tmp_path):
+    project = smat.Project(samples / "sphere" / "sphere.smat").with_settings(
+        {"render.errors": "sum", "camera.range": 77, "sensor.band": "8-12", "polar.step": 180}
+    )
+    ours = project.detection(sensor, background_temperature_K=290)
+    command = dict(ours.table.provenance)["command"]
+    assert "--step" in command and not any(word in command for word in ("--errors", "--range ", "--band"))
+    words = shlex.split(command.removeprefix("smat-batch "))
+    batch(*words[:-1], tmp_path / "d.csv")
+    assert np.array_equal(ours.table.to_numpy(), smat.Table.load(tmp_path / "d.csv").to_numpy())
 
 
 @pytest.mark.parametrize("wrong", [np.nan, np.inf])
