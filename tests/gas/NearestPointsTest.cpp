@@ -14,6 +14,7 @@ TEST(NearestPoints, AreThoseOfALookAtAll) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> anywhere(0.0, 1.0);
     std::vector<GasVector> places_m;
+    places_m.reserve(751);
     for (int i = 0; i < 700; ++i) {
         places_m.push_back({anywhere(random), 0.1 * anywhere(random), anywhere(random)});
     }
