@@ -10,7 +10,6 @@
 #include "irsg/core/ParallelFor.h"
 #include "irsg/gas/GasColumn.h"
 #include "irsg/gas/GasMean.h"
-#include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
 
 namespace irsg {
@@ -110,27 +109,6 @@ class AcrossView {
     std::array<GasVector, 2> directions_;
     std::array<double, 2> first_m_{}, last_m_{};
     std::array<std::vector<double>, 2> densities_;
-};
-
-/// What uniform gases send over a band, by lines of sight through them.
-class Senders {
-  public:
-    Senders(const std::vector<GasLayer>& gases, const PlumeBand& band)
-        : columns_(gases, band.wavenumbers_per_cm) {
-        for (std::size_t i = 0; i < band.wavenumbers_per_cm.size(); ++i)
-            for (const GasLayer& gas : gases)
-                radiances_.push_back(band.widths_um[i] *
-                                     planckRadiance_W_m2_sr_um(
-                                         wavelengthFromWavenumber_um(band.wavenumbers_per_cm[i]),
-                                         gas.temperature_K));
-    }
-    double radiance_W_m2_sr(const std::vector<GasStretch>& column) const {
-        return columns_.weighted(column, radiances_);
-    }
-
-  private:
-    GasColumns columns_;
-    std::vector<double> radiances_; ///< by wavenumber and gas
 };
 
 /// States of gas in cells so small that those of one count as one.
@@ -299,7 +277,7 @@ void FieldIntensities::sumField(const PlumeField& field, View& view) const {
             gases[mean.number] = withinLimits(mean.gas.mean());
         break;
     }
-    const Senders senders(gases, band_);
+    const BandSenders senders(gases, band_);
     std::vector<double> sent(columns.size());
     parallelFor(columns.size(), [&](std::size_t i) {
         sent[i] = view.sights[i].area_m2 * senders.radiance_W_m2_sr(columns[i]);
@@ -335,7 +313,7 @@ std::vector<PlumeZonesError> FieldIntensities::errorsOf(const std::vector<FieldZ
         gases.push_back(zone.gas);
         levels_K.push_back(walls_.levelFor(zone.from_K));
     }
-    const Senders senders(gases, band_);
+    const BandSenders senders(gases, band_);
     // How many zones a place of some temperature is in.
     const auto within = [&](double at_K) {
         return static_cast<std::size_t>(std::ranges::upper_bound(levels_K, at_K) -

@@ -278,17 +278,10 @@ void GasColumnBasis::weightsOf(const Line& line, std::span<double> weights) cons
     weightsOf(values, weights);
 }
 
-void GasColumnBasis::frontWeightsOf(std::span<const double> values,
-                                    std::span<double> fronts) const {
-    std::ranges::fill(fronts, 0.0);
-    addMapped(values.data(), values.size(), fronts_.map.data(), fronts.size(), fronts.data());
-}
-
-void GasColumnBasis::reflectionFrontWeightsOf(std::span<const double> values,
-                                              std::span<double> fronts) const {
-    std::ranges::fill(fronts, 0.0);
-    addMapped(values.data(), values.size(), reflectionFronts_.map.data(), fronts.size(),
-              fronts.data());
+void GasColumnBasis::Fronts::weightsOf(std::span<const double> values,
+                                       std::span<double> weights) const {
+    std::ranges::fill(weights, 0.0);
+    addMapped(values.data(), values.size(), map.data(), weights.size(), weights.data());
 }
 
 GasColumnBasis::GasColumnBasis(const std::vector<GasLayer>& gases,

@@ -28,12 +28,20 @@ class GasColumnBasis {
                    const std::vector<GasLine>& lines);
 
     const std::vector<GasLine>& columns() const { return columns_; }
-    /// Columns, by number, whose weighted sums stand for what all columns let through of surfaces
-    /// behind the gas: within 0.02 % of 1, rms over wavenumbers, or 14 of them.
-    const std::vector<std::size_t>& fronts() const { return fronts_.columns; }
+    /// Columns whose weighted sums stand for what all columns let through.
+    struct Fronts {
+        std::vector<std::size_t> columns; ///< by number
+        /// By value of a line and front.
+        std::vector<double> map;
+
+        /// By front, of the values of a line; no gas has the rest.
+        void weightsOf(std::span<const double> values, std::span<double> weights) const;
+    };
+    /// Of surfaces behind the gas: within 0.02 % of 1, rms over wavenumbers, or 14 of them.
+    const Fronts& fronts() const { return fronts_; }
     /// The first 10 of them at most, for what those surfaces reflect of others, which costs most.
     /// Fewer would show: surfaces of the gas's temperature would not be black any more.
-    std::span<const std::size_t> reflectionFronts() const { return reflectionFronts_.columns; }
+    const Fronts& reflectionFronts() const { return reflectionFronts_; }
 
     /// What the lines that were kept out emit as weighted sums, compared with themselves: over all
     /// wavenumbers, relative to the mean of their radiances. Of no lines 0.
@@ -62,16 +70,9 @@ class GasColumnBasis {
     /// By column, of the values of a line; what their sum lacks to 1 is the weight of no gas.
     void weightsOf(std::span<const double> values, std::span<double> weights) const;
     void weightsOf(const Line& line, std::span<double> weights) const;
-    /// By front, of the values of a line; no gas has the rest, likewise.
-    void frontWeightsOf(std::span<const double> values, std::span<double> fronts) const;
-    void reflectionFrontWeightsOf(std::span<const double> values, std::span<double> fronts) const;
 
   private:
     class Fit;
-    struct Fronts {
-        std::vector<std::size_t> columns;
-        std::vector<double> map; ///< as map_, by front
-    };
     std::size_t strengths() const { return perGas_ == 0 ? 0 : absorption_per_m_.size() / perGas_; }
     Line follow(const GasLine& line) const;
     void take(const Fit& fit);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
 
 namespace irsg {
@@ -19,6 +20,16 @@ PlumeBand::PlumeBand(const SpectralRange& band) {
         wavenumbers_per_cm.push_back(0.5 * (from + to));
         widths_um.push_back(wavelengthFromWavenumber_um(from) - wavelengthFromWavenumber_um(to));
     }
+}
+
+BandSenders::BandSenders(const std::vector<GasLayer>& gases, const PlumeBand& band)
+    : columns_(gases, band.wavenumbers_per_cm) {
+    for (std::size_t i = 0; i < band.wavenumbers_per_cm.size(); ++i)
+        for (const GasLayer& gas : gases)
+            radiances_.push_back(
+                band.widths_um[i] *
+                planckRadiance_W_m2_sr_um(wavelengthFromWavenumber_um(band.wavenumbers_per_cm[i]),
+                                          gas.temperature_K));
 }
 
 } // namespace irsg

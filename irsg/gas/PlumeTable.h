@@ -88,8 +88,6 @@ class PlumeIntensities {
     static std::vector<Sight> sightsOf(const PlumeTable& table, double angle_deg, int along,
                                        int across, int deep);
     static void takeSteps(Sight& sight, double length_m, double radius_m, int steps);
-    double radiance(const std::vector<GasLayer>& gases,
-                    const std::vector<GasStretch>& column) const;
 
     PlumeBand band_;
     std::vector<View> views_;

@@ -8,7 +8,6 @@
 #include "irsg/gas/GasByTemperature.h"
 #include "irsg/gas/GasColumn.h"
 #include "irsg/gas/PlumeTable.h"
-#include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
 
 namespace irsg {
@@ -146,7 +145,8 @@ PlumeIntensities::PlumeIntensities(const PlumeTable& table, const SpectralRange&
                 column.push_back({gases.size(), sight.edges_m[k] - sight.edges_m[k + 1]});
                 gases.push_back(table.at(x_m, r_m));
             }
-            sent[i] = sight.area_m2 * radiance(gases, column);
+            if (!column.empty())
+                sent[i] = sight.area_m2 * BandSenders(gases, band_).radiance_W_m2_sr(column);
         });
         for (const double of : sent)
             view.intensity_W_sr += of;
@@ -221,22 +221,6 @@ void PlumeIntensities::takeSteps(Sight& sight, double length_m, double radius_m,
     sight.edges_m.back() = first_m;
 }
 
-double PlumeIntensities::radiance(const std::vector<GasLayer>& gases,
-                                  const std::vector<GasStretch>& column) const {
-    if (column.empty())
-        return 0.0;
-    const auto shares = GasColumns(gases, band_.wavenumbers_per_cm).shares(column);
-    double sum = 0.0;
-    for (std::size_t g = 0; g < gases.size(); ++g)
-        for (std::size_t i = 0; i < band_.wavenumbers_per_cm.size(); ++i)
-            if (shares[g][i] > 0.0)
-                sum += band_.widths_um[i] * shares[g][i] *
-                       planckRadiance_W_m2_sr_um(
-                           wavelengthFromWavenumber_um(band_.wavenumbers_per_cm[i]),
-                           gases[g].temperature_K);
-    return sum;
-}
-
 std::vector<PlumeZonesError> PlumeIntensities::errorsOf(const std::vector<PlumeZone>& zones) const {
     const auto isIn = [](const PlumeZone& zone, double x_m, double r_m) {
         return std::ranges::any_of(zone.outlines_m, [&](const auto& outline) {
@@ -261,6 +245,7 @@ std::vector<PlumeZonesError> PlumeIntensities::errorsOf(const std::vector<PlumeZ
     std::vector<GasLayer> gases;
     for (const PlumeZone& zone : zones)
         gases.push_back(zone.gas);
+    const BandSenders senders(gases, band_);
     std::vector<PlumeZonesError> errors;
     for (const View& view : views_) {
         std::vector<double> sent(view.sights.size());
@@ -294,7 +279,7 @@ std::vector<PlumeZonesError> PlumeIntensities::errorsOf(const std::vector<PlumeZ
                 add(here, at_m - next_m);
                 at_m = next_m;
             }
-            sent[i] = sight.area_m2 * radiance(gases, column);
+            sent[i] = sight.area_m2 * senders.radiance_W_m2_sr(column);
         });
         PlumeZonesError& error = errors.emplace_back();
         error.view = view.name;

@@ -32,13 +32,13 @@ GasWalk::OfEntity& GasWalk::ofEntity(int row) {
         const int entity = rows_.keyOf(row).first;
         const GasColumnsOfEntity& columns = *zone.columns;
         const std::vector<double> none(columns.basis.valuesOfLine());
-        const auto frontsAt = [](std::span<const std::size_t> at) {
-            return Fronts{at, std::vector<double>(at.size()), false};
+        const auto unknown = [](const GasColumnBasis::Fronts& fronts) {
+            return Fronts{&fronts, std::vector<double>(fronts.columns.size()), false};
         };
         entities_.push_back({entity, zone.firstRow, &columns, static_cast<int>(sets_.size()),
                              GasColumnBasis::Line(columns.basis), none, none, none,
-                             frontsAt(columns.basis.fronts()),
-                             frontsAt(columns.basis.reflectionFronts())});
+                             unknown(columns.basis.fronts()),
+                             unknown(columns.basis.reflectionFronts())});
         for (const int number : columns.numbers)
             sets_.push_back({{entity, number}});
         found = entities_.end() - 1;
@@ -111,13 +111,8 @@ const std::vector<GasWalk::Branch>& GasWalk::known(Branches& branches, Fronts Of
 
 const GasWalk::Fronts& GasWalk::frontsOf(OfEntity& gas, Fronts OfEntity::*of) {
     Fronts& fronts = gas.*of;
-    if (!std::exchange(fronts.areKnown, true)) {
-        const GasColumnBasis& basis = gas.columns->basis;
-        if (of == &OfEntity::fronts)
-            basis.frontWeightsOf(gas.told, fronts.weights);
-        else
-            basis.reflectionFrontWeightsOf(gas.told, fronts.weights);
-    }
+    if (!std::exchange(fronts.areKnown, true))
+        fronts.of->weightsOf(gas.told, fronts.weights);
     return fronts;
 }
 
@@ -137,7 +132,7 @@ void GasWalk::fillBranches(const OfEntity* without, Fronts OfEntity::*of,
                 rest -= weight;
                 if (weight != 0.0)
                     longer_.push_back(
-                        {joined(branch.set, gas.firstSet + static_cast<int>(fronts.columns[m])),
+                        {joined(branch.set, gas.firstSet + static_cast<int>(fronts.of->columns[m])),
                          branch.weight * weight});
             }
             longer_.push_back({branch.set, branch.weight * rest});

@@ -59,9 +59,8 @@ class GasWalk {
     }
 
   private:
-    /// Numbers of columns, and their weights.
     struct Fronts {
-        std::span<const std::size_t> columns;
+        const GasColumnBasis::Fronts* of = nullptr;
         std::vector<double> weights;
         bool areKnown = false;
     };
