@@ -39,7 +39,9 @@ double interpolated(const double* values, double t) {
 
 /// A power of two that holds twice the spread, and of diffraction's far wings all but parts in a
 /// thousand.
-std::size_t sideFor(double spread_px, double cutoff_per_px) {
+std::size_t sideFor(const SensorTransfer& transfer, double pixelAngle_rad) {
+    const double spread_px = transfer.spread_rad() / pixelAngle_rad;
+    const double cutoff_per_px = transfer.cutoff_per_rad() * pixelAngle_rad;
     if (cutoff_per_px > largestCutoff)
         throw InputError({"", "detector.pitch_um",
                           numberText(std::round(cutoff_per_px)) +
@@ -64,7 +66,7 @@ PointSpread::PointSpread(const SensorDescription& sensor, double source_K)
       fillFactor_(sensor.detector.fillFactor),
       isRound_(sensor.optics.pupil != PupilShape::square),
       cutoff_(transfer_.cutoff_per_rad() * sensor.pixelAngle_rad()),
-      side_(sideFor(transfer_.spread_rad() / sensor.pixelAngle_rad(), cutoff_)) {
+      side_(sideFor(transfer_, sensor.pixelAngle_rad())) {
     if (isRound_) {
         const auto steps =
             radialSteps * static_cast<std::size_t>(
@@ -91,6 +93,10 @@ PointSpread::PointSpread(const SensorDescription& sensor, double source_K)
                                    transfer_.alongRows(perPixel_ * frequencies_[x]);
     });
     wide_[0] = 1.0;
+}
+
+void PointSpread::check(const SensorDescription& sensor) {
+    sideFor(SensorTransfer(sensor), sensor.pixelAngle_rad());
 }
 
 double PointSpread::opticsAt(double x_per_px, double y_per_px) const {

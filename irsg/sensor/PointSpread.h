@@ -12,7 +12,10 @@ namespace irsg {
 /// transform of its SensorTransfer.
 class PointSpread {
   public:
+    /// InputError for a sensor whose pixels are too wide, or whose points are spread too far.
     PointSpread(const SensorDescription& sensor, double source_K);
+    /// Throws that alone.
+    static void check(const SensorDescription& sensor);
 
     /// The part of a point's light behind the pupil that the active area of a pixel receives whose
     /// centre is so far from the point's image, in pixels along rows and columns: at 0, 0 the

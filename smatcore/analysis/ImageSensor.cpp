@@ -54,7 +54,7 @@ void followSensor(const AnalysisData& data, SceneDescription& scene) {
         return;
     followSensor(*sensor, scene);
     checkSensorGrid(*sensor, data.settings);
-    (void)irsg::PointSpread(*sensor, 300.0); // refuses one that no image holds
+    irsg::PointSpread::check(*sensor);
 }
 
 void refuseIdleOfSensor(const AnalysisData& data, const Settings& given) {

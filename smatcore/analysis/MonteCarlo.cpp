@@ -25,11 +25,6 @@ namespace smat {
 
 namespace {
 
-double nearestOf(const std::vector<double>& values, double wanted) {
-    return *std::ranges::min_element(values, {},
-                                     [&](double value) { return std::abs(value - wanted); });
-}
-
 /// One run, from the plan to the table.
 class Run {
   public:
@@ -79,20 +74,19 @@ class Run {
         const irsg::QuantityInfo& axis =
             irsg::info(isSpectrum ? irsg::Quantity::wavelength : plan_.coordinate);
         std::vector<double> places;
-        for (const double wavenumber_per_cm : plan_.wavenumbers_per_cm)
-            places.push_back(irsg::wavelengthFromWavenumber_um(wavenumber_per_cm));
-        if (!isSpectrum) {
-            places.clear();
+        if (isSpectrum)
+            for (const double wavenumber_per_cm : plan_.wavenumbers_per_cm)
+                places.push_back(irsg::wavelengthFromWavenumber_um(wavenumber_per_cm));
+        else
             for (const AnalysisCase& one : plan_.cases)
                 places.push_back(one.coordinate);
-        }
         const double at = *data_.options.rankingAt;
         const auto [least, most] = std::ranges::minmax(places);
         if (at < least || at > most)
             throw monteCarloRefusal(
                 "ranking at", irsg::numberText(at),
                 fmt::format("an abscissa from {:.6g} to {:.6g} {}", least, most, axis.unit));
-        const double there = nearestOf(places, at);
+        const double there = places[nearestPlace(places, at)];
         if (!isSpectrum && there != at)
             data_.analysis.warnings.push_back(
                 fmt::format("the ranking is of {:.6g} {}, the case that is nearest to {}", there,

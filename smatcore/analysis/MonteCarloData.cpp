@@ -111,12 +111,14 @@ std::optional<Statistic> statisticFromName(std::string_view word) {
     return Statistic{Statistic::Kind::percentile, percent};
 }
 
+std::size_t nearestPlace(const std::vector<double>& places, double wanted) {
+    const auto found = std::ranges::min_element(
+        places, {}, [&](double place) { return std::abs(place - wanted); });
+    return static_cast<std::size_t>(found - places.begin());
+}
+
 std::size_t MonteCarloData::nearest(double abscissa) const {
-    const auto found =
-        std::min_element(abscissae.begin(), abscissae.end(), [&](double a, double b) {
-            return std::abs(a - abscissa) < std::abs(b - abscissa);
-        });
-    return static_cast<std::size_t>(found - abscissae.begin());
+    return nearestPlace(abscissae, abscissa);
 }
 
 std::string MonteCarloData::rankedPlace() const {

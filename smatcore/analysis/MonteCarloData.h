@@ -88,4 +88,7 @@ struct MonteCarloData {
     std::string columnKey(const std::string& what, std::size_t band) const;
 };
 
+/// The number of the place that is nearest to one; there must be some.
+std::size_t nearestPlace(const std::vector<double>& places, double wanted);
+
 } // namespace smat
