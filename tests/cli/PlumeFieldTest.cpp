@@ -14,9 +14,9 @@
 #include "irsg/geometry/model/Model.h"
 #include "irsg/radiance/GasCrossing.h"
 #include "irsg/radiance/GasZones.h"
-#include "smatcore/data/ResultTable.h"
 #include "tests/cli/PlainScene.h"
 #include "tests/cli/Program.h"
+#include "tests/cli/SeenPlume.h"
 #include "tests/support/TemporaryFolder.h"
 
 namespace smat::test {
@@ -133,23 +133,8 @@ class SmatBatchPlumeField : public testing::Test {
     }
     /// What a sensor far away sees.
     double seenFromBeside_W_sr(const std::string& name = "plume") const {
-        const Ran ran = smatBatch(with({"polar",          name + ".obj",
-                                        "--database",     name + ".sigdb",
-                                        "--band",         "4.4-4.6",
-                                        "--from",         "90",
-                                        "--to",           "91",
-                                        "--step",         "1",
-                                        "--range",        "20000",
-                                        "--background",   "none",
-                                        "--atmosphere",   "none",
-                                        "--out",          "polar.csv",
-                                        "--antialiasing", "5"},
-                                       plain),
-                                  folder.path());
-        EXPECT_EQ(ran.exitCode, 0) << ran.err;
-        return ran.exitCode == 0
-                   ? ResultTable::load(folder / "polar.csv").find("intensity")->values.front()
-                   : 0.0;
+        const std::vector<double> seen = seenPlume_W_sr(folder, name, "90", "91", "1");
+        return seen.empty() ? 0.0 : seen.front();
     }
 
     const TemporaryFolder folder;

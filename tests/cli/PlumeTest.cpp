@@ -11,9 +11,8 @@
 #include "irsg/radiometry/Units.h"
 #include "irsg/signature/SignatureFile.h"
 #include "irsg/signature/SurfaceTemperature.h"
-#include "smatcore/data/ResultTable.h"
-#include "tests/cli/PlainScene.h"
 #include "tests/cli/Program.h"
+#include "tests/cli/SeenPlume.h"
 #include "tests/support/TemporaryFolder.h"
 
 namespace smat::test {
@@ -164,27 +163,13 @@ class SmatBatchPlume : public testing::Test {
         return smatBatch(more, folder.path());
     }
 
-    /// Radiant intensity as analyses see the model NAME.obj, from beside, the quarter and behind:
-    /// so far away that lines of sight are parallel, and finely.
+    /// From beside, the quarter and behind.
     std::vector<double> seenFromThreeSides(const std::string& name) {
         std::vector<double> seen;
         for (const auto& [from_deg, to_deg, step_deg] :
              {std::array{"90", "135", "45"}, std::array{"170", "190", "20"}}) {
-            const Ran polar = smatBatch(with({"polar",          name + ".obj",
-                                              "--database",     name + ".sigdb",
-                                              "--band",         "4.4-4.6",
-                                              "--from",         from_deg,
-                                              "--to",           to_deg,
-                                              "--step",         step_deg,
-                                              "--range",        "20000",
-                                              "--background",   "none",
-                                              "--atmosphere",   "none",
-                                              "--out",          "polar.csv",
-                                              "--antialiasing", "5"},
-                                             plain),
-                                        folder.path());
-            EXPECT_EQ(polar.exitCode, 0) << polar.err;
-            const auto values = ResultTable::load(folder / "polar.csv").find("intensity")->values;
+            const std::vector<double> values =
+                seenPlume_W_sr(folder, name, from_deg, to_deg, step_deg);
             seen.insert(seen.end(), values.begin(), values.end());
         }
         seen.resize(std::min<std::size_t>(seen.size(), 3)); // 190 degrees is 170 once more
