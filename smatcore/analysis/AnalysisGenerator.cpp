@@ -145,12 +145,9 @@ void shareDrawings(const AnalysisPlan& plan, SceneDescription& scene) {
                 one->state(scene.entities[i].state, scene.ownOf(i)));
 }
 
-void addPlaced(AnalysisKind kind, const std::string& place, const PlacedCase& placed,
-               CaseWarnings& warnings) {
+void addPlaced(const std::string& place, const PlacedCase& placed, CaseWarnings& warnings) {
     warnings.beginCase(place);
-    // An image shows what it cuts off; a plot does not.
-    if (kind->form != AnalysisForm::image)
-        warnings.addObjectsBeyondFrame(placed.scene, placed.view);
+    warnings.addObjectsBeyondFrame(placed.scene, placed.view);
     for (const std::string& sentence : placed.clampedTables())
         warnings.add(sentence);
 }
@@ -280,7 +277,7 @@ PlacedCase runAnalysis(AnalysisData& data, AnalysisPlan cases, SceneDescription 
         std::optional<BegunCase> begun;
         const auto finish = [&](BegunCase one) {
             const std::string place = cases.place(*one.one);
-            addPlaced(data.kind, place, one.placed, warnings);
+            addPlaced(place, one.placed, warnings);
             if (one.reports) {
                 const CaseRecord record = recordOf(data, one.reports->get().reports, *one.one,
                                                    target, table, warnings, place);

@@ -83,4 +83,8 @@ bool reachesBeyondFrame(const irsg::Entity& target, const irsg::Pose& pose,
     });
 }
 
+std::string beyondFrameWarning(const std::string& entity) {
+    return entity + " reaches beyond the frame; what lies outside is not in the sums";
+}
+
 } // namespace smat

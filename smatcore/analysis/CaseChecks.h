@@ -19,5 +19,7 @@ std::vector<std::string> clampedTableWarnings(const irsg::Entity& entity, irsg::
 /// the frame is not in the sums. Never true for an entity without a model.
 bool reachesBeyondFrame(const irsg::Entity& target, const irsg::Pose& pose,
                         const irsg::Viewpoint& viewpoint, const irsg::Sensor& sensor);
+/// The sentence that says so of an entity.
+std::string beyondFrameWarning(const std::string& entity);
 
 } // namespace smat

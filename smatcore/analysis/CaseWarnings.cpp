@@ -102,12 +102,9 @@ void CaseWarnings::addReport(const irsg::RenderReport& report, int layersKept) {
 }
 
 void CaseWarnings::addObjectsBeyondFrame(const irsg::Scene& scene, const irsg::SensorView& view) {
-    for (const irsg::Entity& entity : scene.entities) {
-        if (reachesBeyondFrame(entity, entity.pose, view.viewpoint, view.sensor)) {
-            add(fmt::format("{} reaches beyond the frame; what lies outside is not in the sums",
-                            entity.name));
-        }
-    }
+    for (const irsg::Entity& entity : scene.entities)
+        if (reachesBeyondFrame(entity, entity.pose, view.viewpoint, view.sensor))
+            add(beyondFrameWarning(entity.name));
 }
 
 std::vector<std::string> CaseWarnings::sentencesOnce() const {

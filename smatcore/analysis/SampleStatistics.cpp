@@ -76,7 +76,9 @@ Estimate percentileEstimate(std::span<const double> values, double percent) {
 }
 
 /// The spread of the sets' shares of values below the percentile of all, taken to the axis of the
-/// values by their order statistics: percentiles of the small sets would be biased.
+/// values by their order statistics: percentiles of the small sets would be biased. Sets whose
+/// points are stratified may all have the same share below it; where it lies between the two values
+/// about it is unknown all the same: the middle of them scatters by 1/sqrt(2) of a rank.
 Estimate percentileByReplicates(std::span<const double> values, std::size_t replicates,
                                 double percent) {
     const std::vector<double> ascending = sorted(values);
@@ -92,8 +94,9 @@ Estimate percentileByReplicates(std::span<const double> values, std::size_t repl
         }
         shares.push_back(below / count);
     }
-    const double error =
-        standardDeviationOf(shares) / std::sqrt(static_cast<double>(shares.size()));
+    const double ofRank = std::sqrt(0.5) / static_cast<double>(values.size());
+    const double error = std::hypot(
+        standardDeviationOf(shares) / std::sqrt(static_cast<double>(shares.size())), ofRank);
     const double t = student975(shares.size() - 1);
     const auto at = [&](double share) {
         return percentileOf(ascending, std::clamp(100.0 * share, 0.0, 100.0));

@@ -9,6 +9,7 @@
 
 #include "irsg/core/AppendUnique.h"
 #include "irsg/core/Errors.h"
+#include "smatcore/analysis/CaseChecks.h"
 #include "smatcore/analysis/ErrorColumns.h"
 #include "smatcore/analysis/ImageSensor.h"
 #include "smatcore/settings/SettingKeys.h"
@@ -201,8 +202,16 @@ SensorFrame SceneGenerator3D::frame(std::size_t sensor, double time_s, std::size
     // Back from those that were drawn to all of them.
     std::size_t drawn = 0;
     for (const auto& at : frame.entities) {
-        frame.objects.push_back(at ? std::optional(frame.rendered.report.objects.at(drawn++))
-                                   : std::nullopt);
+        if (!at) {
+            frame.objects.push_back(std::nullopt);
+            continue;
+        }
+        const irsg::Entity& entity = placed.scene.entities.at(drawn);
+        frame.objects.push_back(frame.rendered.report.objects.at(drawn++));
+        // One that the sensor does not look at has sums of 0, which nobody takes for its own.
+        if (frame.objects.back()->coveredPixels > 0.0 &&
+            reachesBeyondFrame(entity, entity.pose, placed.view.viewpoint, placed.view.sensor))
+            frame.warnings.push_back(beyondFrameWarning(entity.name));
     }
     return std::move(frame);
 }

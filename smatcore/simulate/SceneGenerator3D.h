@@ -19,8 +19,9 @@ struct SensorFrame {
     std::vector<std::optional<TrajectoryPoint>> entities;
     std::vector<std::optional<irsg::ObjectRadiometry>> objects; ///< the same
     irsg::RenderedImage rendered;
-    std::size_t saturated = 0;         ///< pixels, where a sensor reads the frame
-    std::vector<std::string> warnings; ///< tables that hold an end value
+    std::size_t saturated = 0; ///< pixels, where a sensor reads the frame
+    std::vector<std::string>
+        warnings; ///< end values of tables that hold, entities that are cut off
 };
 
 /// Adapts a simulation to the infrared scene generator (the report's SceneGenerator3D, F02): puts

@@ -18,6 +18,7 @@ namespace smat::test {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 const std::string flyby = sample("flyby/flyby.json");
 
@@ -161,6 +162,22 @@ TEST(SmatBatchSimulate, DrawsFramesInWhichNobodyIs) {
     }
     const auto there = pixels(folder / "out/south/frame_000002.exr");
     EXPECT_GT(*std::max_element(there.begin(), there.end()), 1.6f);
+}
+
+TEST(SmatBatchSimulate, TellsOfWhatIsCutOffAndNotOfWhatNobodySees) {
+    // The near box fills the frame and more; the one behind the sensor has sums of 0.
+    const TemporaryFolder folder;
+    write(folder / "s.json",
+          scenarioOf(entity("near", "box", R"("position_m": [0, 40, 100])") + "," +
+                         entity("behind", "box", R"("position_m": [0, -500, 100])") + "," +
+                         entity("far", "box", R"("position_m": [0, 5000, 100])"),
+                     south, R"("dt_s": 1, "end_s": 0)"));
+    const Ran ran = simulated(folder);
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    EXPECT_THAT(ran.err, HasSubstr("near reaches beyond the frame; what lies outside is not in the "
+                                   "sums"));
+    EXPECT_THAT(ran.err, Not(HasSubstr("behind reaches")));
+    EXPECT_THAT(ran.err, Not(HasSubstr("far reaches")));
 }
 
 TEST(SmatBatchSimulate, WritesOnlyBandAndAirAboveAPicture) {

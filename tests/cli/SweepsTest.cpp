@@ -118,6 +118,19 @@ TEST(SmatBatchSweep, TellsOfATargetThatReachesOutOfTheFrame) {
     }
 }
 
+TEST(SmatBatchSweep, AnImageTellsOfWhatItsSumsAreWithout) {
+    const TemporaryFolder folder;
+    for (const auto& [range_m, isWhole] : {std::pair{"10", false}, {"1000", true}}) {
+        const Ran ran = smatBatch(
+            {"image", sphere, "--range", range_m, "--fov", "2", "--out", folder / "a.exr"});
+        ASSERT_EQ(ran.exitCode, 0) << ran.err;
+        EXPECT_EQ(ran.err.find("sphere reaches beyond the frame; what lies outside is not in the "
+                               "sums") == std::string::npos,
+                  isWhole)
+            << range_m << ' ' << ran.err;
+    }
+}
+
 TEST(SmatBatchSweep, ATargetWithinTheFrameHasNoWarningForTheCornersOfItsBox) {
     // A sphere of 1 m seen from 5 m is 11.54 degrees wide on each side, the near side of its
     // box 14.04.

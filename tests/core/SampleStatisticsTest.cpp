@@ -176,6 +176,33 @@ TEST(Coverage, OfSobolSequencesIsNinetyFivePercent) {
     }
 }
 
+TEST(Coverage, OfPercentilesOfStratifiedSetsIsNotLessThanStated) {
+    // Sets of a function of one number with a value in each stratum have the same share below the
+    // border of two strata, so that their spread is none.
+    constexpr std::size_t sets = 16, strata = 16;
+    const auto sample = [](std::uint64_t seed) {
+        std::vector<double> values(sets * strata);
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            const double place = irsg::unitOf(seed, {0, 0, 0}, i);
+            values[i] = std::exp(0.6 * (static_cast<double>(i / sets) + place) / strata);
+        }
+        return values;
+    };
+    for (const double percent : {25.0, 40.0, 50.0, 75.0, 90.0}) {
+        const double truth = std::exp(0.6 * percent / 100.0);
+        double square = 0.0, stated = 0.0;
+        const double found = coverage(1000, truth, [&](std::uint64_t seed) {
+            const Estimate one =
+                estimateByReplicates(sample(seed), sets, {Kind::percentile, percent});
+            square += std::pow(one.value - truth, 2);
+            stated += one.standardError;
+            return one;
+        });
+        EXPECT_GE(found, 93.0) << percent;
+        EXPECT_LE(stated / 1000.0, 1.6 * std::sqrt(square / 1000.0)) << percent;
+    }
+}
+
 namespace {
 
 /// A function of uniform numbers whose Sobol' indices are known.
