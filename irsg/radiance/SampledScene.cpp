@@ -6,6 +6,7 @@
 #include "irsg/core/AppendUnique.h"
 #include "irsg/core/Errors.h"
 #include "irsg/radiance/AtmosphereSlices.h"
+#include "irsg/radiance/PathDepth.h"
 #include "irsg/radiance/SceneRadiometry.h"
 
 namespace irsg {
@@ -48,7 +49,8 @@ SampledScenes::Key SampledScenes::keyOf(const AtmosphericQueryCache& answers,
             {environment.sun.azimuth_rad, environment.sun.elevation_rad,
              environment.sun.distance_au, settings.atmosphereSliceFrom, settings.background_W_m2_sr,
              static_cast<double>(settings.background), static_cast<double>(settings.mode),
-             settings.widebandError, static_cast<double>(settings.referenceTransmittance)},
+             settings.widebandError, static_cast<double>(settings.referenceTransmittance),
+             scene.pathDepth, static_cast<double>(scene.lookedAt)},
             bands,
             withSources,
             {},
@@ -95,6 +97,8 @@ std::shared_ptr<const SampledScene> SampledScenes::make(AtmosphericQueryCache& a
             SceneSampling::takeAtmosphere(answers, own, band);
         addProvider(made->providedBy, band.air.providedBy);
         appendUnique(made->warnings, band.air.warnings);
+        // Nodes and slices are those of the atmosphere, whatever the depth.
+        deepenPaths(answers, scene, band);
     }
     const std::size_t seen = made->bands.size();
     for (std::size_t k = 0; withSources && k < seen; ++k)

@@ -198,6 +198,7 @@ SampledBand SampledBand::ofSource(const RadianceTerms& terms) const {
     const SharedValues one = all(1.0), none = all(0.0);
     SampledBand source = *this;
     source.isSource = true;
+    source.behind.clear();
     source.air.background = air.background ? none : nullptr;
     for (ObjectAtmosphere& object : source.air.objects) {
         // What the air has taken of a measured spectrum cannot be given back where it took all.

@@ -15,6 +15,15 @@
 
 namespace irsg {
 
+/// What of an answer for something behind an object is seen through air of another depth, by node:
+/// the answer times a factor, and an offset, W m-2 sr-1 um-1. See PathDepth.h.
+struct ThroughDepth {
+    std::vector<double> factor, offset;
+
+    /// Of the values at nodes from `first` on.
+    std::vector<double> of(const std::vector<double>& behind, std::size_t first = 0) const;
+};
+
 /// A band, several next to each other, or a set of wavelengths, with the nodes that their
 /// quantities are summed at and the air of a scene there.
 struct SampledBand {
@@ -30,6 +39,8 @@ struct SampledBand {
     /// and the last is; see sliceBetween. No outputs: every node.
     std::vector<std::vector<int>> sliceSteps;
     bool isSource = false; ///< see ofSource
+    /// By entity, of air of another depth before it; none: what is behind is as it is answered.
+    std::vector<ThroughDepth> behind;
 
     /// 1 where every node is taken.
     int sliceStep(std::size_t entity, std::size_t output) const {
@@ -49,6 +60,10 @@ struct AtmosphereScene {
     const std::vector<ObjectGeometry>& geometry;
     const RenderSettings& settings;
     LineOfSight centre; ///< through the middle of the field
+    /// Of the air before objects, in that of the atmosphere, see PathDepth.h, and the object behind
+    /// whose air the centre's background is.
+    double pathDepth = 1.0;
+    std::size_t lookedAt = 0;
 };
 
 /// Of an index, as entities have scales of temperatures and emissivities; 1 where there is none.

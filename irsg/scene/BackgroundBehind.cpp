@@ -16,13 +16,19 @@ namespace {
 /// A sensor nearer than so many reaches of an object sees it all around.
 constexpr double tooNear = 1.2;
 
-SharedValues along(AtmosphericQueryCache& answers, const SampledBand& band,
+/// What is seen along a line of sight behind an object, by its number.
+SharedValues along(AtmosphericQueryCache& answers, const SampledBand& band, std::size_t object,
                    const LineOfSight& sight) {
     if (band.isSource)
         return std::make_shared<const std::vector<double>>(band.sampling->size(), 0.0);
-    return answers
-        .at(AtmosphericQuery::backgroundRadiance(sight, answers.environment().sun), band.sampling)
-        .value;
+    const SharedValues& answer =
+        answers
+            .at(AtmosphericQuery::backgroundRadiance(sight, answers.environment().sun),
+                band.sampling)
+            .value;
+    return band.behind.empty()
+               ? answer
+               : std::make_shared<const std::vector<double>>(band.behind[object].of(*answer));
 }
 
 void appendInBand(const SampledBand& band, const std::vector<double>& values,
@@ -37,13 +43,13 @@ void appendInBand(const SampledBand& band, const std::vector<double>& values,
 }
 
 /// The weighted sum along the lines behind an object, by node of a band.
-SharedValues sumBehind(AtmosphericQueryCache& answers, const SampledBand& band,
+SharedValues sumBehind(AtmosphericQueryCache& answers, const SampledBand& band, std::size_t number,
                        const ObjectGeometry& object) {
     if (object.behind.size() == 1)
-        return along(answers, band, object.behind.front().sight);
+        return along(answers, band, number, object.behind.front().sight);
     std::vector<double> sum(band.sampling->size(), 0.0);
     for (const auto& [sight, weight] : object.behind) {
-        const SharedValues seen = along(answers, band, sight);
+        const SharedValues seen = along(answers, band, number, sight);
         for (std::size_t i = 0; i < sum.size(); ++i)
             sum[i] += weight * (*seen)[i];
     }
@@ -153,7 +159,7 @@ BackgroundBehind backgroundBehind(AtmosphericQueryCache& answers, const FrameReq
             [&](const LineOfSight& sight) {
                 std::vector<double> seen;
                 for (const SampledBand& band : bands)
-                    appendInBand(band, *along(answers, band, sight), seen);
+                    appendInBand(band, *along(answers, band, e, sight), seen);
                 return seen;
             });
         object.behind = std::move(behind.sights);
@@ -173,18 +179,20 @@ BackgroundBehind backgroundAlong(AtmosphericQueryCache& answers, const FrameRequ
         return {};
     BackgroundBehind all;
     all.lookedAt = main;
-    all.background = joinedOver(
-        bands, [&](const SampledBand& band) { return sumBehind(answers, band, geometry[main]); });
-    for (const ObjectGeometry& object : geometry) {
+    all.background = joinedOver(bands, [&](const SampledBand& band) {
+        return sumBehind(answers, band, main, geometry[main]);
+    });
+    for (std::size_t e = 0; e < geometry.size(); ++e) {
+        const ObjectGeometry& object = geometry[e];
         std::vector<double>& mean = all.radiance.emplace_back();
         std::vector<double> least, most;
         std::vector<std::vector<double>>& lines = all.along.emplace_back();
         for (const SampledBand& band : bands)
-            appendInBand(band, *sumBehind(answers, band, object), mean);
+            appendInBand(band, *sumBehind(answers, band, e, object), mean);
         for (const SightBehind& behind : object.behind) {
             std::vector<double> seen;
             for (const SampledBand& band : bands)
-                appendInBand(band, *along(answers, band, behind.sight), seen);
+                appendInBand(band, *along(answers, band, e, behind.sight), seen);
             lines.push_back(seen);
             if (least.empty())
                 least = most = seen;

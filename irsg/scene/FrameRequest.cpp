@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "irsg/core/Errors.h"
 #include "irsg/radiance/SceneAtmosphere.h"
 
 namespace irsg {
@@ -34,6 +35,10 @@ FrameRequest::FrameRequest(const Scene& ofScene, const SensorView& ofView, const
       bySurface(outputs.isBySurface()),
       alongRange(outputs.isAlongRange() && !outputs.hasImage()),
       sampledFrom_m(outputs.sampledFrom_m()),
-      isScaled(!outputs.scalings().empty()) {}
+      pathDepth(outputs.pathDepth()),
+      isScaled(!outputs.scalings().empty()) {
+    if (!(pathDepth > 0.0 && std::isfinite(pathDepth)))
+        throw LogicError("a view through air of no optical depth was asked for");
+}
 
 } // namespace irsg

@@ -15,6 +15,7 @@ namespace irsg {
 /// One view of a scene and what is asked of it: the input of every stage. Scene and view must live
 /// as long.
 struct FrameRequest {
+    /// LogicError for a depth of the path that is not above 0.
     FrameRequest(const Scene& ofScene, const SensorView& ofView, const Outputs& outputs);
 
     const Scene& scene;
@@ -36,6 +37,7 @@ struct FrameRequest {
     bool bySurface;                      ///< sums of objects have those of their surfaces
     bool alongRange;                     ///< objects may be interpolated between distances
     std::optional<double> sampledFrom_m; ///< such objects are sampled from there alone
+    double pathDepth;                    ///< see Outputs::throughDepth
     bool isScaled; ///< emissivities may be scaled, those of surfaces that reflect nothing, too
 
     const Entity& entity(int e) const { return scene.entities[static_cast<std::size_t>(e)]; }

@@ -32,7 +32,7 @@ std::vector<ScatteredObject> HazeRenderer::objectsOf(const Frame& frame,
         const PathScattering path = scatteringAlong(
             evaluator_.answers(), frame.evaluation().geometry[e].path, frame.request.bands.front());
         const std::string& name = frame.scene().entities[e].name;
-        objects.push_back({name, path.opticalDepth, {}});
+        objects.push_back({name, frame.request.pathDepth * path.opticalDepth, {}});
         if (path.fromTransmittance)
             appendUnique(warnings,
                          {"scattering: no atmosphere has a scattering optical depth, so that "

@@ -48,6 +48,16 @@ class Outputs {
     static Outputs scaledSpectrum(std::vector<ScalingInput> scalings,
                                   std::vector<double> wavenumbers_per_cm);
 
+    /// The same as if the air between each object and the sensor had `depth` times its optical
+    /// depth at each wavelength, > 0 (LogicError): see PathDepth.h. Objects and what is behind them
+    /// are lit as they are; what is behind is seen through that air, too, and textures of skyboxes
+    /// and terrain stay as they are seen.
+    Outputs throughDepth(double depth) const {
+        Outputs made = *this;
+        made.pathDepth_ = depth;
+        return made;
+    }
+
     bool hasImage() const { return image_; }
     bool hasObjects() const { return objects_; }
     bool isFollowed() const { return followed_; }
@@ -65,6 +75,8 @@ class Outputs {
     /// Of a spectrum; none of anything else.
     const std::vector<double>& wavenumbers_per_cm() const { return wavenumbers_per_cm_; }
     const std::vector<ScalingInput>& scalings() const { return scalings_; }
+    /// The optical depth of the air between objects and sensor in that of the atmosphere.
+    double pathDepth() const { return pathDepth_; }
     /// Quantities in bands, not those of wavenumbers.
     bool isInBands() const { return wavenumbers_per_cm_.empty(); }
 
@@ -74,6 +86,7 @@ class Outputs {
     bool objects_ = true, image_ = false, followed_ = false, reports_ = false, alongRange_ = false,
          source_ = false, byObject_ = false, bySurface_ = false;
     std::optional<double> sampledFrom_m_;
+    double pathDepth_ = 1.0;
     std::optional<bool> errors_;
     std::vector<Band> bands_;
     std::vector<double> wavenumbers_per_cm_;
@@ -123,6 +136,12 @@ class Outputs::Reports : public Outputs {
     Reports withSource(bool on = true) const {
         Reports made = *this;
         made.source_ = on;
+        return made;
+    }
+    /// See Outputs::throughDepth.
+    Reports throughDepth(double depth) const {
+        Reports made = *this;
+        made.pathDepth_ = depth;
         return made;
     }
     /// The sums of each object come with those of its surfaces by their codes

@@ -73,8 +73,9 @@ Rendered Renderer::render(const Scene& scene, const SensorView& view, const Outp
             const std::vector<RenderReport> nominal = p.reporter.reports(frame, factors);
             std::vector<HazeGains> gains;
             for (const Band& band : frame.request.bands)
-                gains.push_back(scene.settings.scattering ? p.hazeGains(scene, view, band)
-                                                          : HazeGains{});
+                gains.push_back(scene.settings.scattering
+                                    ? p.hazeGains(scene, view, band, outputs.pathDepth())
+                                    : HazeGains{});
             p.clock.timed("scaled view", [&] {
                 EvaluatedScene& evaluated = *frame.evaluation().evaluated;
                 const auto add = [&](std::size_t band, const ObjectRadiometry& sum,
@@ -105,7 +106,7 @@ Rendered Renderer::render(const Scene& scene, const SensorView& view, const Outp
         HazeGains gains;
         std::vector<ObjectRadiometry> direct;
         if (scene.settings.scattering) {
-            gains = p.hazeGains(spectral, view, frame.request.bands.front());
+            gains = p.hazeGains(spectral, view, frame.request.bands.front(), outputs.pathDepth());
             direct = p.reporter.reports(frame, p.sampler.factorsOf(frame)).front().objects;
             addHaze(gains, result.spectrum);
         }
@@ -178,17 +179,20 @@ void Renderer::Impl::renderImage(const Frame& frame, const Outputs& outputs, Ren
         sampler.addTruthLayers(frame, background, result.image);
 }
 
-HazeGains Renderer::Impl::hazeGains(const Scene& scene, const SensorView& view, const Band& band) {
+HazeGains Renderer::Impl::hazeGains(const Scene& scene, const SensorView& view, const Band& band,
+                                    double pathDepth) {
     SensorView picture = view;
     picture.sensor.band = band;
-    return haze.gains(frame(scene, picture, Outputs::image()));
+    return haze.gains(frame(scene, picture, Outputs::image().throughDepth(pathDepth)));
 }
 
 std::vector<RenderReport> Renderer::Impl::reports(const Frame& frame, const ViewGeometry& factors) {
     std::vector<RenderReport> all = reporter.reports(frame, factors);
     // Behind the bands their sources, which no droplets are before.
     for (std::size_t k = 0; frame.settings().scattering && k < frame.request.bands.size(); ++k)
-        addHaze(hazeGains(frame.scene(), frame.request.view, frame.request.bands[k]), all[k]);
+        addHaze(hazeGains(frame.scene(), frame.request.view, frame.request.bands[k],
+                          frame.request.pathDepth),
+                all[k]);
     return all;
 }
 

@@ -61,7 +61,8 @@ struct Renderer::Impl {
     /// With the haze of a picture in each band, where there is scattering.
     std::vector<RenderReport> reports(const Frame& frame, const ViewGeometry& factors);
     /// What haze makes of the sums over the objects of a view in a band, as in a picture.
-    HazeGains hazeGains(const Scene& scene, const SensorView& view, const Band& band);
+    HazeGains hazeGains(const Scene& scene, const SensorView& view, const Band& band,
+                        double pathDepth);
     void renderImage(const Frame& frame, const Outputs& outputs, Rendered& result);
 };
 

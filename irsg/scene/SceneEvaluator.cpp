@@ -7,6 +7,7 @@
 #include "irsg/atmosphere/NearestRun.h"
 #include "irsg/core/AppendUnique.h"
 #include "irsg/radiance/HotSpotSurfaces.h"
+#include "irsg/radiance/PathDepth.h"
 #include "irsg/render/background/BandSky.h"
 
 namespace irsg {
@@ -80,6 +81,25 @@ std::vector<SurfaceRow> rowsOf(EvaluatedScene& evaluated) {
     return all;
 }
 
+/// What of an answer for the background is seen through the air of a request in an output, before
+/// the object that is looked at.
+BandSky::Seen throughDepth(const FrameRequest& request, const SceneEvaluation& evaluation,
+                           std::size_t output) {
+    const std::size_t lookedAt = static_cast<std::size_t>(std::max(request.lookedAt, 0));
+    std::size_t ofBand = output;
+    for (const SampledBand& band : evaluation.sampled->bands) {
+        if (ofBand >= band.outputs.size()) {
+            ofBand -= band.outputs.size();
+            continue;
+        }
+        if (lookedAt >= band.behind.size())
+            return {};
+        return [&behind = band.behind[lookedAt], first = band.outputs[ofBand].first](
+                   const std::vector<double>& values) { return behind.of(values, first); };
+    }
+    return {};
+}
+
 } // namespace
 
 SceneEvaluation SceneEvaluator::evaluate(const FrameRequest& request,
@@ -136,7 +156,9 @@ FrameBackgrounds SceneEvaluator::backgrounds(const FrameRequest& request,
             }
             const std::shared_ptr<const SpectralSampling> nodes =
                 samplingOf(request, evaluation, k);
-            const BandSky sky(scene.environment, *nodes, request.raised_rad);
+            BandSky sky(scene.environment, *nodes, request.raised_rad);
+            if (request.pathDepth != 1.0)
+                sky.seenThrough(throughDepth(request, evaluation, k));
             BackgroundSettings wanted;
             wanted.queriesEnvironment = settings.background == BackgroundMode::environment;
             wanted.uniform_W_m2_sr = radiances.background_W_m2_sr(k);
@@ -168,6 +190,7 @@ EvaluatedSpectrum SceneEvaluator::atWavelengths(const FrameRequest& request,
                                                 const std::vector<double>& wavelengths_um) {
     std::vector<SampledBand> bands{
         SceneSampling::wavelengths(answers_, airScene(request, geometry), wavelengths_um)};
+    deepenPaths(answers_, airScene(request, geometry), bands.front());
     auto scene = std::make_unique<EvaluatedScene>(terms_, request.scene.entities, geometry, bands,
                                                   occluderStacks_);
     BackgroundBehind behind = backgroundAlong(answers_, request, bands, geometry);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -51,7 +52,13 @@ class SceneEvaluator {
     /// The scene along other paths; all must live as long.
     AtmosphereScene airScene(const FrameRequest& request,
                              const std::vector<ObjectGeometry>& geometry) const {
-        return {terms_, request.scene.entities, geometry, request.scene.settings, request.centre};
+        return {terms_,
+                request.scene.entities,
+                geometry,
+                request.scene.settings,
+                request.centre,
+                request.pathDepth,
+                static_cast<std::size_t>(std::max(request.lookedAt, 0))};
     }
     /// Samples bands with the answers of a scene's atmosphere, or of another; both must live as
     /// long.

@@ -20,14 +20,6 @@ namespace {
 /// Relative changes to both sides: of the sensor and of ranges, and of the target.
 constexpr double step = 0.01, targetStep = 0.002;
 
-/// Of a path that counts as level, between its ends: a tenth of the height over which aerosol and
-/// water vapour thin out.
-constexpr double levelRise_m = 200.0;
-/// Of the target's solid angle, beside that which perspective changes.
-constexpr double hiddenPart = 1e-3;
-/// Relative change of ratio or cycles with the path's length: a vacuum's.
-constexpr double noExtinction = 1e-6;
-
 using Change = std::function<void(double&)>;
 
 void change(irsg::Spectrum& spectrum, const Change& one) {
@@ -251,18 +243,8 @@ std::vector<double> RangeSensitivity::at(const FoundRange& one, TargetAspect& as
     for (std::size_t i = 0; i < variants_.size(); ++i)
         out[i] = -relativeSlope(marginOf(*variants_[i].less), marginOf(*variants_[i].more), step) /
                  found.slope;
-    // Of a longer path as thick air makes it: the target as large as it is here. That is no thicker
-    // air where the path climbs, or where as much more of the target is hidden.
-    bool isAsThickAir = aspect.rise_m(found.range_m) <= levelRise_m;
-    const auto thicker = [&](double factor) {
-        TargetLook seen = aspect.at(factor * found.range_m, false);
-        isAsThickAir = isAsThickAir &&
-                       std::abs(seen.solidAngle_sr * factor * factor - one.look.solidAngle_sr) <=
-                           hiddenPart * one.look.solidAngle_sr;
-        for (double TargetLook::*const part :
-             {&TargetLook::contrast_W_m2, &TargetLook::counted_W_m2, &TargetLook::solidAngle_sr})
-            seen.*part *= factor * factor;
-        return margin(seen);
+    const auto inAir = [&](double depth) {
+        return margin(aspect.throughDepth(found.range_m, depth));
     };
     const auto ofTarget = [&](const BothSides<SceneDescription>& scenes) {
         return -relativeSlope(marginIn(scenes.less, one, data, warnings),
@@ -271,9 +253,7 @@ std::vector<double> RangeSensitivity::at(const FoundRange& one, TargetAspect& as
     };
     try {
         const std::size_t first = variants_.size();
-        const double ofPath = relativeSlope(thicker(1.0 - step), thicker(1.0 + step), step);
-        if (isAsThickAir || std::abs(ofPath) < noExtinction)
-            out[first] = -ofPath / found.slope;
+        out[first] = -relativeSlope(inAir(1.0 - step), inAir(1.0 + step), step) / found.slope;
         out[first + 1] = ofTarget(temperature_);
         out[first + 2] = ofTarget(emissivity_);
     } catch (const irsg::InputError& error) {

@@ -33,7 +33,8 @@ struct FoundRange {
 /// The relative change of a range per relative change of each number, d ln R / d ln p, in their
 /// order: the change of ratio or cycles with the number at that range through their change with the
 /// range. Of numbers of the sensor by a central difference of 1 % with the target's contrast as it
-/// is; of the extinction by that of the path's length, which is the same along a path in one air;
+/// is; of the extinction by that of the optical depth between target and sensor, with light and
+/// background behind the target as they are (irsg::Outputs::throughDepth);
 /// of temperatures in K and emissivities of the first entity by drawings with scales of 0.998 and
 /// 1.002 (the emission of a material, whose reflection stays); of the atmosphere's parameters by
 /// new atmospheres, with all that follows from them (path, background, reflected light, surface

@@ -158,13 +158,6 @@ double TargetAspect::reach_m() const {
     return shared_.door.reach_m(scene_.entities.front());
 }
 
-double TargetAspect::rise_m(double range_m) const {
-    AnalysisCase there = case_;
-    there.range_m = range_m;
-    const PlacedCase placed = shared_.placer.place(scene_, there);
-    return std::abs(placed.view.viewpoint.position_m.z - placed.referencePoints_m.front().z);
-}
-
 double TargetAspect::drawnBelow_m() const {
     // Where it is too near for one drawing, or reaches out of the frame.
     const irsg::Sensor& sensor = scene_.sensor;
@@ -194,15 +187,21 @@ TargetLook TargetAspect::at(double range_m, bool withErrors) {
     const auto key = std::pair(range_m, withErrors);
     if (const auto known = known_.find(key); known != known_.end())
         return known->second;
+    return known_[key] = rendered(range_m, irsg::Outputs::reports().withErrors(withErrors));
+}
+
+TargetLook TargetAspect::throughDepth(double range_m, double depth) {
+    return rendered(range_m, irsg::Outputs::reports().withErrors(false).throughDepth(depth));
+}
+
+TargetLook TargetAspect::rendered(double range_m, const irsg::Outputs::Reports& wanted) {
     case_.range_m = range_m;
     PlacedCase placed = shared_.placer.place(scene_, case_);
     if (isLone())
         placed.view.sensor = frameOf(placed.view.sensor, reach_m() / range_m);
     const irsg::Outputs::Reports ofRange =
-        sampledFrom_m_ ? irsg::Outputs::reports().alongRangeFrom(*sampledFrom_m_)
-                       : irsg::Outputs::reports().alongRange();
-    const irsg::Outputs outputs =
-        ofRange.withErrors(withErrors).bySurface(!shared_.leftOut.empty());
+        sampledFrom_m_ ? wanted.alongRangeFrom(*sampledFrom_m_) : wanted.alongRange();
+    const irsg::Outputs outputs = ofRange.bySurface(!shared_.leftOut.empty());
     const irsg::RenderReport report = placed.render(shared_.door, outputs).reports.front();
     irsg::addProvider(data_.providedBy, report.providedBy);
     warnings_.addReport(report, data_.settings[key::renderLayers]);
@@ -227,7 +226,7 @@ TargetLook TargetAspect::at(double range_m, bool withErrors) {
     look.clutter_W_m2_sr = clutter_W_m2_sr_;
     look.clutterError_W_m2_sr = clutterError_W_m2_sr_;
     sight_.see(look);
-    return known_[key] = look;
+    return look;
 }
 
 double TargetAspect::alongRangeReach_m(const irsg::DetectionRange& found) {

@@ -60,14 +60,15 @@ class TargetAspect {
     /// drawn for each of them.
     double reach_m() const;
     double drawnBelow_m() const;
-    /// By how much the path from there climbs or sinks, m.
-    double rise_m(double range_m) const;
     /// From now on the target is sampled from this range alone and taken to be seen so from any
     /// other (irsg::Outputs::Reports::alongRangeFrom).
     void sampleFrom(double range_m);
 
     /// Throws InputError for a range that the scene refuses.
     TargetLook at(double range_m, bool withErrors);
+    /// The same through air of so many times the optical depth of the atmosphere's, between target
+    /// and sensor (irsg::Outputs::throughDepth), without errors. It is not kept.
+    TargetLook throughDepth(double range_m, double depth);
     /// At the range that was found, interpolated on the grid; the relative error is that of the
     /// nearest range there.
     TargetLook between(const irsg::DetectionRange& found);
@@ -77,6 +78,7 @@ class TargetAspect {
   private:
     /// Whether there is no other object, which would count with it.
     bool isLone() const;
+    TargetLook rendered(double range_m, const irsg::Outputs::Reports& outputs);
 
     const DetectionScene& shared_;
     const SceneDescription& scene_;

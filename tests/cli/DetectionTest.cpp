@@ -349,6 +349,37 @@ TEST(SmatBatchDetection, InAirOfBeersLawTheRangeIsLambertsFunction) {
     EXPECT_NEAR(range_m / (1e4 * w), 1.0, 1e-4);
 }
 
+// Of air of one temperature over ground as warm as it what is behind the target is the same
+// whatever the extinction: all of the air may be thicker, which moves the range as stated.
+TEST(SmatBatchDetection, TheSensitivityToExtinctionIsThatOfThickerAirOnSlantPathsAsWell) {
+    const TemporaryFolder folder;
+    const auto detectedIn = [&](double factor, const std::string& offset_deg) {
+        std::string text = "# air_temperature [K]: 20\nwavelength [um],extinction [km-1]\n";
+        for (const auto& [wavelength_um, extinction_per_km] :
+             {std::pair{3.0, 0.02}, {3.9, 0.1}, {4.3, 0.9}, {5.0, 0.2}}) {
+            text += std::to_string(wavelength_um) + "," +
+                    std::to_string(factor * extinction_per_km) + "\n";
+        }
+        write(folder / "air.csv", text);
+        const Ran ran =
+            smatBatch(with({"detection", sample("sphere/sphere.smat"), "--sensor",
+                            sensorFile(folder), "--atmosphere", folder / "air.csv", "--step", "180",
+                            "--offset", offset_deg, "--sensitivity", "--out", folder / "r.csv"},
+                           plain));
+        EXPECT_EQ(ran.exitCode, 0) << ran.err;
+        return ResultTable::load(folder / "r.csv");
+    };
+    for (const char* offset_deg : {"0", "5", "40"}) {
+        const auto rangeIn = [&](double factor) {
+            return valueOf(detectedIn(factor, offset_deg), "detection_range", 0);
+        };
+        const double stated = valueOf(detectedIn(1.0, offset_deg), "sensitivity_extinction", 0);
+        EXPECT_NEAR(std::log(rangeIn(1.01) / rangeIn(0.99)) / std::log(1.01 / 0.99), stated, 2e-3)
+            << offset_deg;
+        EXPECT_LT(stated, -0.1) << offset_deg;
+    }
+}
+
 TEST(SmatBatchDetection, InAirOfABandADenseSearchFindsTheSameRange) {
     const TemporaryFolder folder;
     const auto rangeOf = [&](const char* looks) {

@@ -12,24 +12,27 @@ BandSky::BandSky(const Environment& environment, const SpectralSampling& samplin
                  double raised_rad)
     : environment_(environment), sampling_(sampling), raised_rad_(raised_rad) {}
 
-double BandSky::ask(const char* quantity, const AtmosphericQuery& query) const {
-    const auto answer = environment_.provide(query, sampling_);
+std::vector<double> BandSky::ask(const char* quantity, const AtmosphericQuery& query) const {
+    auto answer = environment_.provide(query, sampling_);
     std::string line = quantity;
     line += ": ";
     line += answer.providedBy;
     addProvider(providedBy_, std::move(line));
-    return sampling_.integrate(answer.value);
+    return std::move(answer.value);
 }
 
 double BandSky::radiance_W_m2_sr(const LineOfSight& sight) const {
     constexpr double zenith_rad = 0.5 * std::numbers::pi;
     LineOfSight apparent = sight;
     apparent.elevation_rad = std::clamp(sight.elevation_rad + raised_rad_, -zenith_rad, zenith_rad);
-    return ask("background", AtmosphericQuery::backgroundRadiance(apparent, environment_.sun));
+    const std::vector<double> values =
+        ask("background", AtmosphericQuery::backgroundRadiance(apparent, environment_.sun));
+    return sampling_.integrate(seen_ ? seen_(values) : values);
 }
 
 double BandSky::sun_W_m2(double altitude_m) const {
-    return ask("solar disc", AtmosphericQuery::solarIrradiance(altitude_m, environment_.sun));
+    return sampling_.integrate(
+        ask("solar disc", AtmosphericQuery::solarIrradiance(altitude_m, environment_.sun)));
 }
 
 SunView BandSky::sunView(double altitude_m) const {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "irsg/atmosphere/Environment.h"
@@ -16,6 +18,10 @@ class BandSky {
     BandSky(const Environment& environment, const SpectralSampling& sampling,
             double raised_rad = 0.0);
 
+    /// What of an answer for the background arrives, by node; nothing: all.
+    using Seen = std::function<std::vector<double>(const std::vector<double>&)>;
+    void seenThrough(Seen seen) { seen_ = std::move(seen); }
+
     /// Throws InputError where no atmosphere answers.
     double radiance_W_m2_sr(const LineOfSight& sight) const;
     /// Of the sun on a plane normal to its beam, of the part of its disc above the horizon.
@@ -30,11 +36,12 @@ class BandSky {
     const std::vector<std::string>& providedBy() const { return providedBy_; }
 
   private:
-    double ask(const char* quantity, const AtmosphericQuery& query) const;
+    std::vector<double> ask(const char* quantity, const AtmosphericQuery& query) const;
 
     const Environment& environment_;
     const SpectralSampling& sampling_;
     double raised_rad_;
+    Seen seen_;
     mutable std::vector<std::string> providedBy_;
 };
 
