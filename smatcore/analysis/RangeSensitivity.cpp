@@ -265,24 +265,38 @@ std::vector<double> RangeSensitivity::at(const FoundRange& one, TargetAspect& as
 std::vector<std::vector<double>> RangeSensitivity::ofAir(const std::vector<FoundRange>& all,
                                                          AnalysisData& data,
                                                          CaseWarnings& warnings) const {
-    std::vector<std::vector<double>> out(all.size());
-    for (const AirNumber* number : airNumbersOf(shared_.scene.environment)) {
-        std::vector<double> less(all.size(), none), more = less;
-        for (auto& [values, factor] : {std::pair<std::vector<double>&, double>(less, -1.0),
-                                       std::pair<std::vector<double>&, double>(more, 1.0)})
+    const auto tell = [&](const irsg::InputError& error) {
+        warnings.add(std::string("sensitivities that the atmosphere refuses: ") + error.what());
+    };
+    const std::vector<const AirNumber*> numbers = airNumbersOf(shared_.scene.environment);
+    std::vector<BothSides<std::optional<SceneDescription>>> scenes(numbers.size());
+    for (std::size_t k = 0; k < numbers.size(); ++k)
+        for (const double factor : {-1.0, 1.0})
             try {
+                auto& side = factor < 0.0 ? scenes[k].less : scenes[k].more;
                 SceneDescription scene = shared_.scene;
-                scene.environment =
-                    *scaledAir(scene.environment, *number, 1.0 + factor * number->step);
-                for (std::size_t i = 0; i < all.size(); ++i)
-                    if (hasSlope(all[i].found))
-                        values[i] = marginIn(scene, all[i], data, warnings);
+                scene.environment = *scaledAir(shared_.scene.environment, *numbers[k],
+                                               1.0 + factor * numbers[k]->step);
+                side = std::move(scene);
             } catch (const irsg::InputError& error) {
-                warnings.add(std::string("sensitivities that the atmosphere refuses: ") +
-                             error.what());
+                tell(error);
             }
-        for (std::size_t i = 0; i < all.size(); ++i)
-            out[i].push_back(-relativeSlope(less[i], more[i], number->step) / all[i].found.slope);
+    // Case by case: one sampling of the target serves all atmospheres.
+    std::vector<std::vector<double>> out(all.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const auto marginOf = [&](const std::optional<SceneDescription>& scene) {
+            try {
+                return scene && hasSlope(all[i].found) ? marginIn(*scene, all[i], data, warnings)
+                                                       : none;
+            } catch (const irsg::InputError& error) {
+                tell(error);
+                return none;
+            }
+        };
+        for (std::size_t k = 0; k < numbers.size(); ++k)
+            out[i].push_back(-relativeSlope(marginOf(scenes[k].less), marginOf(scenes[k].more),
+                                            numbers[k]->step) /
+                             all[i].found.slope);
     }
     return out;
 }

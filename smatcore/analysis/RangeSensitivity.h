@@ -47,7 +47,7 @@ class RangeSensitivity {
     /// All but those of the atmosphere's parameters. `aspect` is that of the case.
     std::vector<double> at(const FoundRange& found, TargetAspect& aspect, AnalysisData& data,
                            CaseWarnings& warnings) const;
-    /// Those, the case number by number: an atmosphere is computed once for all cases.
+    /// Those, number by number. The target of a case is sampled once for all atmospheres.
     std::vector<std::vector<double>> ofAir(const std::vector<FoundRange>& all, AnalysisData& data,
                                            CaseWarnings& warnings) const;
 
