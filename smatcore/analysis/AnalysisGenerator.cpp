@@ -19,6 +19,7 @@
 #include "smatcore/analysis/CalculationChoice.h"
 #include "smatcore/analysis/CaseWarnings.h"
 #include "smatcore/analysis/ErrorColumns.h"
+#include "smatcore/analysis/IdleSettings.h"
 #include "smatcore/analysis/ImageFiles.h"
 #include "smatcore/analysis/ImageSensor.h"
 #include "smatcore/analysis/SweepTable.h"
@@ -239,6 +240,7 @@ PlacedCase runAnalysis(AnalysisData& data, AnalysisPlan cases, SceneDescription 
         before = door.stageTimes();
     }
     irsg::appendUnique(data.warnings, scene.remarks);
+    irsg::appendUnique(data.warnings, idleSettingRemarks(data));
     SweepTable table(cases, scene, data.table, mayHide(data, *placer, scene, cases));
     std::optional<AdaptiveSweep> adaptive;
     if (!cases.refined.empty())

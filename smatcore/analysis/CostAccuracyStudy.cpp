@@ -17,6 +17,7 @@
 #include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/AnalysisPlan.h"
 #include "smatcore/analysis/AnalysisProvenance.h"
+#include "smatcore/analysis/IdleSettings.h"
 #include "smatcore/project/SceneBuilder.h"
 #include "smatcore/settings/SettingKeys.h"
 
@@ -311,6 +312,7 @@ void CostAccuracyStudy::rehearse(AnalysisData& data, const RenderDoor& door,
     const CasePlacer placer(door, scene);
     data.renderer = door.description(scene);
     irsg::appendUnique(data.warnings, scene.remarks);
+    irsg::appendUnique(data.warnings, idleSettingRemarks(data));
     const PlacedCase placed = placer.place(scene, startingCase(data.settings));
     door.check(placed.scene, placed.view, irsg::Outputs::reports(scene.allBands()));
 }
@@ -325,6 +327,7 @@ void CostAccuracyStudy::run(AnalysisData& data, const RenderDoor& door, const Sc
         data.databases.push_back(entity.database);
     data.renderer = door.description(scene);
     irsg::appendUnique(data.warnings, scene.remarks);
+    irsg::appendUnique(data.warnings, idleSettingRemarks(data));
     const irsg::Vec3 reference =
         scene.entities.front().pose.toWorld(placer.referencePoints().front());
     const auto places = CasePlacer::placesIn(scene);

@@ -14,6 +14,7 @@
 #include "irsg/radiometry/Units.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/AnalysisProvenance.h"
+#include "smatcore/analysis/IdleSettings.h"
 #include "smatcore/analysis/MonteCarloReport.h"
 #include "smatcore/analysis/MonteCarloViews.h"
 #include "smatcore/analysis/RealisationLoop.h"
@@ -51,6 +52,7 @@ class Run {
         scene_ = scenes(analysis.project, analysis.settings);
         scene_.environment = irsg::onTheFly(scene_.environment);
         irsg::appendUnique(analysis.warnings, scene_.remarks);
+        irsg::appendUnique(analysis.warnings, idleSettingRemarks(analysis, true));
         data_.scalings = sceneScalings(analysis.project, scene_, analysis.warnings);
         const std::size_t places = plan_.kind->form == AnalysisForm::spectrum
                                        ? plan_.wavenumbers_per_cm.size()

@@ -15,6 +15,7 @@
 #include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/BackgroundClutter.h"
 #include "smatcore/analysis/CommandSettings.h"
+#include "smatcore/analysis/IdleSettings.h"
 #include "smatcore/analysis/PartColumns.h"
 #include "smatcore/settings/SettingKeys.h"
 
@@ -120,6 +121,7 @@ DetectionScene::DetectionScene(AnalysisData& data, const DetectionRequest& reque
         data.databases.push_back(entity.database);
     data.renderer = door.description(scene);
     irsg::appendUnique(data.warnings, scene.remarks);
+    irsg::appendUnique(data.warnings, idleSettingRemarks(data, request.draws > 0));
 }
 
 void DetectionScene::check(double range_m) const {
