@@ -67,6 +67,7 @@ void checkFolderGiven(const std::string& folder, const std::string& what) {
 }
 
 ProgressLine::~ProgressLine() {
+    redraws_ = {};
     if (width_ > 0)
         tell(fmt::format("\r{:{}}\r", "", width_));
 }
@@ -74,10 +75,31 @@ ProgressLine::~ProgressLine() {
 void ProgressLine::show(const Progress& progress) {
     if (isatty(STDERR_FILENO) == 0)
         return;
-    std::string line = fmt::format("{}  {}/{}  {:.0f} %  {:.1f} s", progress.what, progress.done,
-                                   progress.total, 100.0 * progress.fraction(), progress.elapsed_s);
-    if (const auto remaining_s = progress.remaining_s())
-        line += fmt::format(", {:.0f} s left", *remaining_s);
+    {
+        const std::scoped_lock lock(mutex_);
+        progress_ = progress;
+        told_ = std::chrono::steady_clock::now();
+        draw();
+    }
+    if (!listening_)
+        begin();
+}
+
+void ProgressLine::begin() {
+    constexpr std::chrono::milliseconds pause(100);
+    listening_.emplace(stage_);
+    redraws_ = std::jthread([this, pause](const std::stop_token& stop) {
+        std::unique_lock lock(mutex_);
+        while (!ends_.wait_for(lock, stop, pause, [&] { return stop.stop_requested(); }))
+            draw();
+    });
+}
+
+void ProgressLine::draw() {
+    const std::chrono::duration<double> since = std::chrono::steady_clock::now() - told_;
+    Progress now = progress_;
+    now.elapsed_s += since.count();
+    const std::string line = now.text(stage_.text());
     tell(fmt::format("\r{:<{}}", line, width_));
     width_ = std::max(width_, line.size());
 }

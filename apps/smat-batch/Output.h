@@ -1,14 +1,20 @@
 #pragma once
 
+#include <chrono>
+#include <condition_variable>
 #include <filesystem>
+#include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <thread>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include "irsg/core/Errors.h"
 #include "smatcore/analysis/AnalysisData.h"
+#include "smatcore/support/CurrentStage.h"
 #include "smatcore/support/Progress.h"
 
 namespace smat::batch {
@@ -32,14 +38,29 @@ void complain(const irsg::InputError& error, const std::string& speaker = "");
 /// Throws InputError where `--out` names no folder for `what`.
 void checkFolderGiven(const std::string& folder, const std::string& what);
 
-/// One line on a terminal that is written over and over, nothing elsewhere.
+/// One line on a terminal that is written over and over while it lives, nothing elsewhere. What
+/// takes long after the first `show` tells its stages, where that was called in the same thread.
 class ProgressLine {
   public:
+    ProgressLine() = default;
     ~ProgressLine();
+    ProgressLine(const ProgressLine&) = delete;
+    ProgressLine& operator=(const ProgressLine&) = delete;
+
     void show(const Progress& progress);
 
   private:
+    void begin();
+    void draw();
+
+    std::mutex mutex_; ///< of what stands before the stage
+    Progress progress_;
+    std::chrono::steady_clock::time_point told_;
     std::size_t width_ = 0;
+    CurrentStage stage_;
+    std::optional<CurrentStage::Listening> listening_;
+    std::condition_variable_any ends_;
+    std::jthread redraws_;
 };
 
 /// What became of one analysis, for the summary.

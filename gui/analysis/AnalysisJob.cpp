@@ -91,6 +91,7 @@ double AnalysisJob::elapsed_s() const {
 
 void AnalysisJob::work(std::stop_token stop) {
     Outcome outcome;
+    const CurrentStage::Listening listening(stage_);
     // A window cannot show more than some thirty states a second. The first and the last step are
     // always told: either may take its time, as the encoding of a film does.
     constexpr double leastPause_s = 0.03;

@@ -11,6 +11,7 @@
 
 #include "gui/scenario/SimulationFrames.h"
 #include "smatcore/jobs/AnalysisJobs.h"
+#include "smatcore/support/CurrentStage.h"
 
 namespace smat::gui {
 
@@ -59,6 +60,9 @@ class AnalysisJob : public QObject {
     /// Until the engine is free again.
     bool isWorking() const { return working_; }
     double elapsed_s() const;
+    /// What the renderer is doing, with its share: "inter-reflection: pairs, 43 %"; empty between
+    /// stages.
+    QString stage() const { return QString::fromStdString(stage_.text()); }
     /// "Polar plot", or what the analysis is called.
     QString title() const { return titleOf(order_); }
     static QString titleOf(const JobOrder& order);
@@ -103,6 +107,7 @@ class AnalysisJob : public QObject {
     JobOrder order_;
     std::shared_ptr<JobRunner> engine_;
     Kept kept_;
+    CurrentStage stage_;
     QElapsedTimer clock_;
     bool cancelled_ = false, answered_ = false, working_ = false;
     std::jthread thread_; ///< last: stops before the rest goes

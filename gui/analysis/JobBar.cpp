@@ -17,6 +17,13 @@
 
 namespace smat::gui {
 
+namespace {
+
+/// Of the width of the window at most what a stage may take, and no more than this.
+constexpr int stageShare = 4, widestStage_px = 360;
+
+} // namespace
+
 JobBar::JobBar(Workbench& workbench, QWidget* parent) : QWidget(parent), workbench_(workbench) {
     setObjectName("jobBar");
     title_ = new QLabel(this);
@@ -35,6 +42,7 @@ JobBar::JobBar(Workbench& workbench, QWidget* parent) : QWidget(parent), workben
         return label;
     };
     what_ = faint("jobDetail");
+    stage_ = faint("jobStage");
     times_ = faint("jobTimes");
     const auto button = [this](const char* name) {
         auto* tool = new QToolButton(this);
@@ -56,9 +64,10 @@ JobBar::JobBar(Workbench& workbench, QWidget* parent) : QWidget(parent), workben
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(6, 0, 0, 0);
     row->setSpacing(8);
-    for (QWidget* widget : {static_cast<QWidget*>(title_), static_cast<QWidget*>(bar_),
-                            static_cast<QWidget*>(what_), static_cast<QWidget*>(times_),
-                            static_cast<QWidget*>(cancel_), static_cast<QWidget*>(line_)})
+    for (QWidget* widget :
+         {static_cast<QWidget*>(title_), static_cast<QWidget*>(bar_), static_cast<QWidget*>(what_),
+          static_cast<QWidget*>(stage_), static_cast<QWidget*>(times_),
+          static_cast<QWidget*>(cancel_), static_cast<QWidget*>(line_)})
         row->addWidget(widget);
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
     times_->setMinimumWidth(
@@ -137,6 +146,11 @@ void JobBar::refresh() {
     times_->setText(times);
     what_->setText(job.isCancelled() ? tr("Cancelling; finished cases are kept") : case_);
     what_->setVisible(!what_->text().isEmpty());
+    const QString stage = job.isCancelled() ? QString() : job.stage();
+    const int room_px = std::min(window()->width() / stageShare, widestStage_px);
+    stage_->setText(stage_->fontMetrics().elidedText(stage, Qt::ElideRight, room_px));
+    stage_->setToolTip(stage);
+    stage_->setVisible(!stage.isEmpty());
 }
 
 } // namespace smat::gui

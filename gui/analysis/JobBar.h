@@ -16,9 +16,9 @@ namespace smat::gui {
 
 class Workbench;
 
-/// The job that runs, in the status bar: how far it is, for how long it has run and about how long
-/// it will, and a cancel that is answered at once; beside it how many wait in line, whose menu
-/// takes them out of it. Hidden while nothing runs.
+/// The job that runs, in the status bar: how far it is and what the renderer is at, for how long it
+/// has run and about how long it will, and a cancel that is answered at once; beside it how many
+/// wait in line, whose menu takes them out of it. Hidden while nothing runs.
 class JobBar : public QWidget {
     Q_OBJECT
 
@@ -35,6 +35,7 @@ class JobBar : public QWidget {
     Workbench& workbench_;
     QLabel* title_ = nullptr;
     QLabel* what_ = nullptr;
+    QLabel* stage_ = nullptr; ///< of the renderer in a case
     QLabel* times_ = nullptr;
     QProgressBar* bar_ = nullptr;
     QToolButton* cancel_ = nullptr;

@@ -53,6 +53,7 @@ double InfraredDisplay::waiting_s() const {
 void InfraredDisplay::work(const std::stop_token& stop) {
     // The renderer lives and dies in this thread.
     std::optional<InfraredScene> scene;
+    const CurrentStage::Listening listening(stage_);
     while (true) {
         InfraredRequest request;
         long number = 0;

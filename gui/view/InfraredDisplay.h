@@ -10,6 +10,7 @@
 #include <QStringList>
 
 #include "gui/view/InfraredRequest.h"
+#include "smatcore/support/CurrentStage.h"
 
 namespace smat::gui {
 
@@ -30,6 +31,8 @@ class InfraredDisplay : public QObject {
     bool isBusy() const { return asked_ != answered_; }
     /// How long it has been busy without an answer, s; 0 while it is idle.
     double waiting_s() const;
+    /// What the picture under way is at, with its share; empty between stages.
+    QString stage() const { return QString::fromStdString(stage_.text()); }
 
   signals:
     void drawn(const smat::gui::InfraredPicture& picture);
@@ -48,6 +51,7 @@ class InfraredDisplay : public QObject {
 
     long asked_ = 0, answered_ = 0;
     QElapsedTimer waiting_;
+    CurrentStage stage_;
     std::jthread thread_; ///< last: stops before the rest goes
 };
 

@@ -159,6 +159,10 @@ double InfraredPictures::waiting_s() const {
     return display_->waiting_s();
 }
 
+QString InfraredPictures::stage() const {
+    return display_->stage();
+}
+
 void InfraredPictures::ask(bool isDragging) {
     const bool moving =
         isDragging || (lastChange_.isValid() && lastChange_.elapsed() < 2 * rest_.interval());

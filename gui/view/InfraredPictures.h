@@ -67,6 +67,8 @@ class InfraredPictures : public QObject {
     bool isUpToDate() const;
     /// How long an answer is being waited for, s; 0 where none is.
     double waiting_s() const;
+    /// "inter-reflection: pairs, 43 %" of the one under way; empty between stages.
+    QString stage() const;
 
   signals:
     /// Quantity or colours.

@@ -28,7 +28,7 @@ SceneView::SceneView(QWidget* parent)
     : QOpenGLWidget(parent), drawing_(std::make_unique<SceneDrawing>()) {
     setObjectName("sceneView");
     setFocusPolicy(Qt::StrongFocus);
-    setMinimumSize(320, 240);
+    setMinimumSize(280, 240);
     setMouseTracking(true);
     setFormat(SceneDrawing::surfaceFormat());
     navigation_ = new ViewNavigation(this, [this] {
@@ -412,11 +412,13 @@ ViewHud SceneView::hud() const {
     if (!infrared_->isOn())
         return hud;
     hud.problem = infrared_->problem();
-    if (const double waited_s = infrared_->waiting_s(); waited_s > 0.3)
-        hud.busy =
-            (picture != nullptr && picture->direct ? tr("infrared: adding inter-reflection… %1 s")
-                                                   : tr("infrared: computing… %1 s"))
-                .arg(waited_s, 0, 'f', 1);
+    if (const double waited_s = infrared_->waiting_s(); waited_s > 0.3) {
+        QString doing = infrared_->stage();
+        if (doing.isEmpty())
+            doing = picture != nullptr && picture->direct ? tr("adding inter-reflection")
+                                                          : tr("computing");
+        hud.busy = tr("infrared: %1… %2 s").arg(doing).arg(waited_s, 0, 'f', 1);
+    }
     return hud;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "irsg/core/StageReport.h"
 #include "irsg/radiance/Reductions.h"
 #include "irsg/radiance/SampleRadiances.h"
 #include "irsg/radiance/TruthLayers.h"
@@ -43,17 +44,28 @@ class SurfaceRttPass : public RttPass {
   public:
     /// `take`: what else is to get the factors of each tile; may be empty.
     SurfaceRttPass(const Frame& frame, const SurfaceSampler& surfaces,
-                   OccluderStacks& occluderStacks, GeometrySamples& room, SurfaceSampler::Take take)
+                   OccluderStacks& occluderStacks, GeometrySamples& room, SurfaceSampler::Take take,
+                   StageCount& drawings)
         : frame_(frame),
           surfaces_(surfaces),
           room_(room),
           take_(std::move(take)),
+          drawings_(drawings),
           radiances_(frame.rows(), occluderStacks, frame.evaluation().evaluated->radiances,
                      frame.light()) {}
     int largestSide() const override { return frame_.surfaces.engine.engine.largestSide(); }
     void draw(const CameraFrame& camera, const SampleSheet& sheet,
               RadianceSamples& samples) override {
         Stopwatch watch(seconds);
+        drawOne(camera, sheet, samples);
+        drawings_.add();
+    }
+    double seconds = 0.0, sortSeconds = 0.0, evaluateSeconds = 0.0, takeSeconds = 0.0;
+    int layersLeftOver = 0;
+    bool isAllTaken = true; ///< the factors of all tiles that were drawn
+
+  private:
+    void drawOne(const CameraFrame& camera, const SampleSheet& sheet, RadianceSamples& samples) {
         const SheetScene scene = surfaces_.scenesOf(frame_.surfaces, camera, sheet);
         const auto isSlicedIn = [&](const SampleTile& tile) {
             return std::ranges::any_of(tile.entities, [&](int e) {
@@ -90,15 +102,12 @@ class SurfaceRttPass : public RttPass {
             factors = {};
         layersLeftOver += samples.layersLeftOver;
     }
-    double seconds = 0.0, sortSeconds = 0.0, evaluateSeconds = 0.0, takeSeconds = 0.0;
-    int layersLeftOver = 0;
-    bool isAllTaken = true; ///< the factors of all tiles that were drawn
 
-  private:
     const Frame& frame_;
     const SurfaceSampler& surfaces_;
     GeometrySamples& room_;
     SurfaceSampler::Take take_;
+    StageCount& drawings_;
     SampleRadiances radiances_;
 };
 
@@ -212,10 +221,12 @@ SampledPicture FrameSampler::picture(const Frame& frame, bool withSums) {
         // The published antialiasing draws other tiles than sums are made of.
         std::shared_ptr<ViewSampling> sums =
             withSums && !frame.settings().usesPublishedTiles() ? newSampling(frame) : nullptr;
+        const StageScope stage("drawing");
+        StageCount drawings("tiles", StageListener::isThere() ? sheetsOfPicture(frame).size() : 0);
         surfaces_.onEngine(frame.surfaces.engine, [&] {
             Stopwatch watch(all_s);
             SurfaceRttPass rtt(frame, surfaces_, occluderStacks_, pictureFactors_,
-                               sums ? sums->take() : SurfaceSampler::Take());
+                               sums ? sums->take() : SurfaceSampler::Take(), drawings);
             reduction = strategy.draw(frame.request.camera, frame.plan.drawn, rtt);
             drawing_s = rtt.seconds;
             sorting_s = rtt.sortSeconds;

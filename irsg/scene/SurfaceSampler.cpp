@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "irsg/core/Errors.h"
+#include "irsg/core/StageReport.h"
 #include "irsg/render/background/Terrain.h"
 #include "irsg/render/sampling/TileSamplingStrategy.h"
 
@@ -154,6 +155,7 @@ void SurfaceSampler::waitFor(Sampling& sampling, const char* stage) {
     TileStream::Seconds seconds;
     double waited_s = 0.0;
     {
+        const StageScope drawing("drawing");
         Stopwatch watch(waited_s);
         seconds = sampling.get();
     }

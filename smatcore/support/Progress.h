@@ -19,6 +19,9 @@ struct Progress {
     }
     /// From the pace so far; no value before the first case is done.
     std::optional<double> remaining_s() const;
+    /// For people, with the stage of the renderer in a case where there is one:
+    /// "polar: azimuth 0 deg  0/72  0 %  3.0 s  inter-reflection: pairs, 43 %".
+    std::string text(const std::string& stage = {}) const;
 };
 
 /// Called from the thread that works, before the first case and after each.

@@ -101,6 +101,16 @@ TEST_F(AnalysisJobTest, GoesCleanlyWhileDrawingsAreUnderWay) {
     EXPECT_EQ(gate.renderers, 0);
 }
 
+TEST_F(AnalysisJobTest, TellsTheStageOfACaseAndNoneOnceItIsDone) {
+    gate.drawings(0);
+    startPolar();
+    ASSERT_TRUE(test::waitUntil([this] { return gate.begun == 1; }));
+    EXPECT_EQ(workbench->job()->stage(), "gate: waiting, 25 %");
+    workbench->cancel();
+    gate.drawings(1 << 30);
+    ASSERT_TRUE(settle());
+}
+
 TEST_F(AnalysisJobTest, SaysHowFarItIs) {
     std::vector<std::size_t> done;
     QObject::connect(workbench.get(), &Workbench::jobProgressed,

@@ -4,6 +4,7 @@
 #include <condition_variable>
 #include <mutex>
 
+#include "irsg/core/StageReport.h"
 #include "tests/core/AnalyticSource.h"
 
 namespace smat::gui::test {
@@ -39,6 +40,9 @@ class GatedSource : public smat::test::AnalyticSource {
     double intensity_W_sr(const irsg::Vec3&) const override { return 3.0; }
     double projectedArea_m2(const irsg::Vec3&) const override { return 1.0; }
     irsg::RenderReport measure() override {
+        const irsg::StageScope scope("gate");
+        irsg::StageCount count("waiting", 4);
+        count.add();
         gate_.pass();
         return AnalyticSource::measure();
     }

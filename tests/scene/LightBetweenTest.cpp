@@ -5,8 +5,13 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
 
 #include "irsg/core/ParallelFor.h"
+#include "irsg/core/StageReport.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/signature/random/Philox.h"
 #include "tests/support/LightScenes.h"
@@ -49,6 +54,21 @@ Entity furnace(bool isBlack) {
 }
 
 } // namespace
+
+TEST_F(LightBetweenTest, TellsItsStagesWithTheirShares) {
+    std::map<std::string, double> largest; // shares by stage
+    std::string last = "none";
+    const StageListener listener([&](std::string_view stage, std::optional<double> share) {
+        last = stage;
+        double& own = largest[last];
+        own = std::max(own, share.value_or(0.0));
+    });
+    pixelsInRoom(furnace(false), convergedBounces, 0.0053); // which no other test asks for
+    for (const char* part : {"view factors, round 1", "balance", "pairs", "bounces"}) {
+        EXPECT_GT(largest[std::string("inter-reflection: ") + part], 0.0) << part;
+    }
+    EXPECT_EQ(last, "");
+}
 
 TEST_F(LightBetweenTest, AnIsothermalEnclosureIsBlack) {
     for (const auto& [error, most] : {std::pair{0.005, 1e-3}, std::pair{0.002, 1e-4}}) {

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "irsg/core/ParallelFor.h"
+#include "irsg/core/StageReport.h"
 
 namespace irsg {
 
@@ -204,10 +205,12 @@ void BodyLight::refine(std::vector<Sending>& sendings, const Uses& uses, double 
                     std::pow(static_cast<double>(near.area_m2), 2.0) / nodes_->areaOf_m2(near.node);
         return sum_m2 * errors.squareOf(sendings[patch]);
     };
-    while (!active.empty()) {
+    for (int round = 1; !active.empty(); ++round) {
+        StageCount count("view factors, round " + std::to_string(round), active.size());
         parallelForSmall(active.size(), [&](std::uint32_t i) {
             Sending& sending = sendings[active[i]];
             send(sending, active[i], uses, std::max(fewest[active[i]], 2 * sending.sent));
+            count.add();
         });
         errors = {};
         for (const std::uint32_t patch : all)
@@ -405,7 +408,9 @@ void BodyLight::gather(std::vector<Sending>& sendings, const PieceUses& uses) {
     std::vector<Lists> parts(passages, Lists(sendings.size())), oneWay = parts;
     auto atHand = std::make_shared<TurnedBody>();
     atHand->rays.resize(sendings.size());
+    StageCount count("balance", sendings.size());
     parallelForSmall(sendings.size(), [&](std::uint32_t patch) {
+        count.add();
         const std::vector<RayStart> starts = std::move(sendings[patch].starts);
         const std::span<const LightRay> rays = raysOf(patch);
         for (std::size_t i = 0; i < rays.size(); ++i) {

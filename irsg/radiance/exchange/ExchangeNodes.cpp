@@ -12,6 +12,7 @@
 #include "irsg/core/Errors.h"
 #include "irsg/core/JoinedNumbers.h"
 #include "irsg/core/ParallelFor.h"
+#include "irsg/core/StageReport.h"
 #include "irsg/radiance/exchange/SurfaceWays.h"
 
 namespace irsg {
@@ -227,6 +228,7 @@ void ExchangeNodes::takeShares(std::vector<OfPiece>& pieces) {
     firstShare_.reserve(mesh_->vertices().size() + 1);
     firstShare_.push_back(0);
     shares_.reserve(mostShares * mesh_->vertices().size());
+    StageCount done("surfaces", pieces.size());
     for (std::size_t first = 0; first < pieces.size(); first += atOnce) {
         const std::size_t count = std::min(atOnce, pieces.size() - first);
         parallelFor(count, [&](std::size_t i) { share(pieces[first + i], *mesh_); });
@@ -246,6 +248,7 @@ void ExchangeNodes::takeShares(std::vector<OfPiece>& pieces) {
             }
             piece.shares = {};
         }
+        done.add(count);
     }
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "irsg/core/ParallelFor.h"
+#include "irsg/core/StageReport.h"
 #include "irsg/radiance/exchange/LightExchangeMaking.h"
 #include "irsg/radiometry/Units.h"
 
@@ -231,9 +232,11 @@ void LightExchange::takePairs(Making& making) {
     for (const Body& body : bodies_)
         for (std::uint32_t r = 0; r < body.light->nodes().nodes(); ++r)
             known.push_back({body.light->nodes().areaOf_m2(r), body.light->raysFrom(r)});
+    StageCount count("pairs", receivers());
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
         const ExchangeNodes& nodes = bodies_[b].light->nodes();
         parallelForSmall(nodes.nodes(), [&](std::uint32_t patch) {
+            count.add();
             making.told[firstReceiver_[b] + patch].resize(nodes.near(patch).size());
             if (!making.isSeen(bodies_[b], patch))
                 return;
@@ -313,9 +316,11 @@ LightExchange::meansOverSenders(const std::function<double(std::size_t)>& of) co
 void LightExchange::takeLight(Making& making) {
     const LightSources& sources = making.sources;
     std::vector<Making::Told> sums(rows_.size());
+    StageCount count("sky and ground", receivers());
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
         const ExchangeNodes& nodes = bodies_[b].light->nodes();
         parallelForSmall(nodes.nodes(), [&](std::uint32_t patch) {
+            count.add();
             if (making.isSeen(bodies_[b], patch))
                 lightSide(making, b, patch);
         });

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "irsg/core/ParallelFor.h"
+#include "irsg/core/StageReport.h"
 #include "irsg/radiance/exchange/LightExchangeMaking.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/render/rays/LightDirections.h"
@@ -48,6 +49,7 @@ struct LightExchange::GasRays {
 
 void LightExchange::takeGas(const Making& making, std::span<const Gas> gases) {
     std::vector<GasRays> found(rows_.size()); // by patch
+    StageCount count("gas", receivers());
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
         std::vector<Gas> near;
         for (const Gas& gas : gases)
@@ -56,6 +58,7 @@ void LightExchange::takeGas(const Making& making, std::span<const Gas> gases) {
         if (near.empty())
             continue;
         parallelForSmall(bodies_[b].light->nodes().nodes(), [&](std::uint32_t patch) {
+            count.add();
             if (making.isSeen(bodies_[b], patch))
                 sendToGas(making, near, b, patch, found[firstReceiver_[b] + patch]);
         });

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "irsg/core/ParallelFor.h"
+#include "irsg/core/StageReport.h"
 #include "irsg/radiance/exchange/LightExchangeMaking.h"
 #include "irsg/radiometry/Units.h"
 
@@ -22,6 +23,7 @@ void LightExchange::takeSun(Making& making) {
         return;
     making.sunOnCells.resize(cells_);
     std::vector<double> area_m2(senders());
+    StageCount count("sun", cells_);
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
         const ExchangeNodes& nodes = bodies_[b].light->nodes();
         const ExchangeMesh& mesh = nodes.mesh();
@@ -30,6 +32,7 @@ void LightExchange::takeSun(Making& making) {
             return mesh.seesAnything(cell) || !making.isAlone(b);
         };
         parallelForSmall(mesh.cells(), [&](std::uint32_t cell) {
+            count.add();
             if (isSeenByAny(cell))
                 making.sunOnCells[firstCell_[b] + cell] =
                     static_cast<float>(sunOn(making, b, cell));

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "irsg/core/ParallelFor.h"
+#include "irsg/core/StageReport.h"
 
 namespace irsg {
 
@@ -222,7 +223,8 @@ LightSolution::LightSolution(const LightExchange& exchange, const std::vector<Li
     }
     // Each knot begins with what the last one ended with: reflectivities differ little.
     std::vector<float> leaving;
-    for (std::size_t knot = 0; knot < knots_; ++knot) {
+    StageCount count("bounces", knots_);
+    for (std::size_t knot = 0; knot < knots_; ++knot, count.add()) {
         if (bounces > 0)
             leaving.clear();
         const LightFactors factors(exchange, knots[knot]);
