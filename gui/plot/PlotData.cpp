@@ -287,7 +287,8 @@ std::optional<Interval> rangeWithErrors(const std::vector<Curve>& curves, bool p
 namespace {
 
 QString quotedField(QString text) {
-    if (!text.contains(',') && !text.contains('\t') && !text.contains('"') && !text.contains('\n'))
+    constexpr QStringView signs = u",;\t\"\n";
+    if (std::ranges::none_of(text, [&](QChar sign) { return signs.contains(sign); }))
         return text;
     text.replace('"', "\"\"");
     return '"' + text + '"';

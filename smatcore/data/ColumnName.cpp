@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <optional>
 #include <set>
+#include <utility>
 
+#include "irsg/core/CsvTable.h"
 #include "irsg/core/Quantity.h"
 #include "smatcore/data/ResultDifference.h"
 #include "smatcore/data/ResultTable.h"
@@ -24,6 +27,40 @@ bool isQuantity(std::string_view key) {
     return false;
 }
 
+/// The same with -2, -3, ... behind names that occur before.
+std::vector<std::string> distinct(std::vector<std::string> names) {
+    // A name that is given stays with the first that has it, before any that is made up.
+    const std::set<std::string> given(names.begin(), names.end());
+    std::set<std::string> taken;
+    for (std::string& name : names) {
+        std::string label = name;
+        for (int number = 2; taken.contains(label) || (label != name && given.contains(label));
+             ++number) {
+            label = name + "-" + std::to_string(number);
+        }
+        taken.insert(label);
+        name = label;
+    }
+    return names;
+}
+
+/// Where a known quantity stands in a key: behind a point or at its beginning, before an at sign or
+/// at its end. Names before and behind may have points and at signs of their own.
+struct QuantityPlace {
+    std::size_t begin, end;
+};
+std::optional<QuantityPlace> quantityIn(std::string_view key) {
+    for (std::size_t at = key.find('@');; at = key.find('@', at + 1)) {
+        const std::size_t end = std::min(at, key.size());
+        const std::size_t point = key.substr(0, end).rfind('.');
+        const std::size_t begin = point == key.npos ? 0 : point + 1;
+        if (begin != 1 && isQuantity(key.substr(begin, end - begin)))
+            return QuantityPlace{begin, end};
+        if (at == key.npos)
+            return std::nullopt;
+    }
+}
+
 } // namespace
 
 ColumnName ColumnName::of(std::string_view key) {
@@ -35,17 +72,20 @@ ColumnName ColumnName::of(std::string_view key) {
             break;
         }
     }
-    // A band has points in it, "3.4-4.1um", an object's name may have some.
-    if (const std::size_t at = key.rfind('@'); at != key.npos && at > 0 && at + 1 < key.size()) {
-        name.band = key.substr(at + 1);
-        key = key.substr(0, at);
+    std::size_t begin = 0, end = key.size();
+    if (const auto place = quantityIn(key)) {
+        begin = place->begin;
+        end = place->end;
+    } else if (const std::size_t at = key.rfind('@'); at != key.npos && at > 0) {
+        end = at;
     }
-    const std::size_t point = key.rfind('.');
-    if (point != key.npos && point > 0 && isQuantity(key.substr(point + 1))) {
-        name.object = key.substr(0, point);
-        key.remove_prefix(point + 1);
-    }
-    name.quantity = key;
+    if (end + 1 >= key.size())
+        end = key.size();
+    else
+        name.band = key.substr(end + 1);
+    if (begin > 0)
+        name.object = key.substr(0, begin - 1);
+    name.quantity = key.substr(begin, end - begin);
     return name;
 }
 
@@ -85,30 +125,33 @@ std::vector<const ResultColumn*> columnsOf(const ResultTable& table, std::string
 
 std::vector<std::string> distinctLabels(std::vector<std::string> names) {
     for (std::string& name : names) {
+        std::string label;
+        for (const char letter : name)
+            if (letter == '/')
+                label += "\u2215";
+            else
+                label += std::iscntrl(static_cast<unsigned char>(letter)) != 0 ? ' ' : letter;
+        name = std::string(irsg::trimmed(label));
+        if (name.empty())
+            name = "object";
+    }
+    return distinct(std::move(names));
+}
+
+std::vector<std::string> distinctFileLabels(std::vector<std::string> names) {
+    for (std::string& name : names) {
         std::replace_if(
             name.begin(), name.end(),
             [](unsigned char c) {
                 return std::iscntrl(c) != 0 ||
-                       std::string_view(",\"[]@#/\\").find(static_cast<char>(c)) !=
+                       std::string_view(",:;\"'[]@#/\\*?<>|").find(static_cast<char>(c)) !=
                            std::string_view::npos;
             },
             '_');
         if (name.empty())
             name = "object";
     }
-    // A name that is given stays with the first that has it, before any that is made up.
-    const std::set<std::string> given(names.begin(), names.end());
-    std::set<std::string> taken;
-    for (std::string& name : names) {
-        std::string label = name;
-        for (int number = 2; taken.contains(label) || (label != name && given.contains(label));
-             ++number) {
-            label = name + "-" + std::to_string(number);
-        }
-        taken.insert(label);
-        name = label;
-    }
-    return names;
+    return distinct(std::move(names));
 }
 
 } // namespace smat

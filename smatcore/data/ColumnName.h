@@ -38,8 +38,13 @@ struct ColumnName {
 /// The measured columns of a series, or the one column of that key; empty where there are none.
 std::vector<const ResultColumn*> columnsOf(const ResultTable& table, std::string_view series);
 
-/// Names as parts of keys and file names: what a CSV header or a key cannot hold becomes `_`, what
-/// is empty becomes "object", and a name that occurs before gets -2, -3, ... behind it.
+/// Names as parts of keys, which tables, plots and head lines show: as they were written but for
+/// control characters, which become blanks, and `/`, which stands before a part and becomes the
+/// division slash (U+2215). What is empty becomes "object", and a name that occurs before gets -2,
+/// -3, ... behind it.
 std::vector<std::string> distinctLabels(std::vector<std::string> names);
+/// The same as parts of file names: what programs or file systems take for something else becomes
+/// `_`.
+std::vector<std::string> distinctFileLabels(std::vector<std::string> names);
 
 } // namespace smat

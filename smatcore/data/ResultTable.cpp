@@ -40,10 +40,16 @@ std::string quotedCell(const std::string& text) {
     return cell + '"';
 }
 
+/// A name as a cell, in quotes where it needs them.
+std::string headCell(const std::string& name) {
+    return name.find_first_of(",;\t\"#'") == std::string::npos ? name : quotedCell(name);
+}
+
 } // namespace
 
 std::string ResultColumn::header() const {
-    return unit.empty() ? key : key + " [" + unit + "]";
+    // A name that ends in brackets has no unit in them.
+    return unit.empty() && splitHeader(key).first == key ? key : key + " [" + unit + "]";
 }
 
 std::string ResultColumn::axisTitle() const {
@@ -134,7 +140,7 @@ void ResultTable::setWarning(std::size_t row, std::string warning) {
 std::string ResultTable::toCsv() const {
     std::string text = provenance.toCsvLines();
     for (std::size_t i = 0; i < columns_.size(); ++i)
-        text += (i == 0 ? "" : ",") + columns_[i].header();
+        text += (i == 0 ? "" : ",") + headCell(columns_[i].header());
     text += warnings_.empty() ? "\n" : fmt::format(",{}\n", warningColumn);
     for (std::size_t row = 0; row < rowCount(); ++row) {
         for (std::size_t i = 0; i < columns_.size(); ++i) {

@@ -13,6 +13,7 @@
 #include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/ImageSensor.h"
 #include "smatcore/analysis/ResultFile.h"
+#include "smatcore/data/ColumnName.h"
 #include "smatcore/jobs/CaseTeam.h"
 #include "smatcore/support/PartialFile.h"
 
@@ -30,12 +31,13 @@ std::vector<Job> eachBandItsImage(const std::vector<Job>& jobs) {
             continue;
         }
         const auto labels = bandLabels(bandsOf(job.data.project, job.data.settings));
+        const auto ofFiles = distinctFileLabels(labels);
         for (std::size_t i = 0; i < each.size(); ++i) {
             Job one = job;
             one.data.settings = each[i];
             one.data.name += "@" + labels[i];
             for (std::filesystem::path& file : one.files) {
-                file.replace_filename(file.stem().string() + "@" + labels[i] +
+                file.replace_filename(file.stem().string() + "@" + ofFiles[i] +
                                       file.extension().string());
             }
             list.push_back(std::move(one));

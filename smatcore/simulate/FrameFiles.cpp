@@ -14,6 +14,7 @@
 #include "irsg/image/ImageFormat.h"
 #include "irsg/radiometry/Units.h"
 #include "smatcore/analysis/ImageFiles.h"
+#include "smatcore/data/ColumnName.h"
 #include "smatcore/project/SceneBuilder.h"
 #include "smatcore/project/SceneScalings.h"
 #include "smatcore/settings/SettingKeys.h"
@@ -95,7 +96,8 @@ void FrameFiles::checkOutputs(const std::vector<std::size_t>& sensors) const {
 std::filesystem::path FrameFiles::frameFile(std::size_t sensor, std::size_t number,
                                             const std::string& extension, std::size_t band) const {
     const std::vector<irsg::Band> bands = scenario_.sensors.at(sensor).scene.allBands();
-    const std::string label = bands.size() > 1 ? "@" + bandLabels(bands).at(band) : "";
+    const std::string label =
+        bands.size() > 1 ? "@" + distinctFileLabels(bandLabels(bands)).at(band) : "";
     return frameFolder(sensor) / fmt::format("frame_{:06}{}{}", number, label, extension);
 }
 

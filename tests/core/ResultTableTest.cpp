@@ -46,6 +46,25 @@ TEST(ResultTable, CsvAndJsonReadBackExactly) {
     }
 }
 
+TEST(ResultTable, NamesOfColumnsAreWrittenAndReadAsTheyAre) {
+    const test::TemporaryFolder folder;
+    ResultTable table;
+    table.add(irsg::Quantity::range);
+    for (const char* name : {"ship: grey, new.intensity", "a;b.intensity", "the \"old\" one.pixels",
+                             "#1.intensity@mwir", "2,5 m.intensity", "it's.pixels"}) {
+        table.add(name, "W sr-1");
+    }
+    table.add("scale skin [hot]", "");
+    table.addRow({100.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0});
+    table.addRow({200.5, 1.5, 2.5, 3.5, 4.5, 5.5, 6.5, 7.5});
+    EXPECT_THAT(table.toCsv(),
+                testing::StartsWith("range [m],\"ship: grey, new.intensity [W sr-1]\","));
+    for (const char* name : {"table.csv", "table.json"}) {
+        table.save(folder / name);
+        EXPECT_EQ(ResultTable::load(folder / name), table) << name;
+    }
+}
+
 TEST(ResultTable, AValueThatIsNotThereIsNan) {
     const test::TemporaryFolder folder;
     for (const char* name : {"nan.csv", "nan.json"}) {

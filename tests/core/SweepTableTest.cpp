@@ -400,6 +400,10 @@ TEST(ColumnName, IsReadAndWritten) {
              {"relative_difference_near.pixels", {"relative_difference_", "near", "pixels", ""}},
              {"mean@8-12um", {"", "", "mean", "8-12um"}},
              {"p2.5", {"", "", "p2.5", ""}},
+             {"a@b.intensity", {"", "a@b", "intensity", ""}},
+             {"error_a@b.intensity@3.4-4.1um", {"error_", "a@b", "intensity", "3.4-4.1um"}},
+             {"intensity@mwir@20C", {"", "", "intensity", "mwir@20C"}},
+             {"ship: grey, new [2].pixels@mwir", {"", "ship: grey, new [2]", "pixels", "mwir"}},
              {"engine.load", {"", "", "engine.load", ""}}}) {
         EXPECT_EQ(ColumnName::of(row.key), row.parts) << row.key;
         EXPECT_EQ(row.parts.key(), row.key);
@@ -417,10 +421,23 @@ TEST(ColumnName, TellsTheErrorOfACauseFromTheirSum) {
               "Error by sampling of intensity (W·sr⁻¹)");
 }
 
-TEST(ColumnName, LabelsAreDistinctAndFitIntoAHeader) {
+TEST(ColumnName, LabelsAreDistinctAndAsTheyWereWritten) {
     EXPECT_THAT(distinctLabels({"a", "b", "a", "a-2", "a"}),
                 ElementsAre("a", "b", "a-3", "a-2", "a-4"));
-    EXPECT_THAT(distinctLabels({"a,b", "[x]", ""}), ElementsAre("a_b", "_x_", "object"));
+    EXPECT_THAT(
+        distinctLabels({"engine: hot, new", "[x]", "\"y\"@#\\", "two\nlines", " ", ""}),
+        ElementsAre("engine: hot, new", "[x]", "\"y\"@#\\", "two lines", "object", "object-2"));
+    // A slash stands before a part.
+    const std::string label = distinctLabels({"F/A-18"}).front();
+    EXPECT_EQ(label, "F\u2215A-18");
+    const ColumnName name =
+        ColumnName::of(ColumnName{"", ColumnName::ofPart(label, "nozzle"), "intensity", ""}.key());
+    EXPECT_EQ(name.part(), "nozzle");
+}
+
+TEST(ColumnName, LabelsOfFilesAreSafeAndDistinct) {
+    EXPECT_THAT(distinctFileLabels({"a: b, c", "a; b, c", "F/A-18", "..\\x", "3.4-4.1um", ""}),
+                ElementsAre("a_ b_ c", "a_ b_ c-2", "F_A-18", ".._x", "3.4-4.1um", "object"));
 }
 
 } // namespace
