@@ -171,11 +171,63 @@ TEST(ModelPlacing, FindsTheTailBeneathAHighWingAndAPropeller) {
     }
 }
 
-TEST(ModelPlacing, AModelOfAc3dHasYUpWhereItsShapeDoesNotTell) {
+TEST(ModelPlacing, TheUsualFrontOfAFormatIsTakenWhereNobodySaysAnythingElse) {
+    const FileAxes usual{.unit_m = {},
+                         .up = ModelAxis::plusY,
+                         .front = {},
+                         .reason = "r",
+                         .usualFront = ModelAxis::minusX};
+    EXPECT_EQ(completed({}, usual, "a"), whole(ModelAxis::plusY, ModelAxis::minusX, 1.0));
+    EXPECT_EQ(completed({.nose = ModelAxis::plusZ}, usual, "a"),
+              whole(ModelAxis::plusY, ModelAxis::plusZ, 1.0));
+    EXPECT_EQ(completed({.up = ModelAxis::plusX}, usual, "a"),
+              whole(ModelAxis::plusX, ModelAxis::plusY, 1.0))
+        << "it points up here";
+    // A guess asks the shape first.
     osg::ref_ptr<osg::Group> cube = new osg::Group;
     addBox(*cube, {-1, -1, -1}, {1, 1, 1});
-    EXPECT_EQ(guessPlacing(loaded(cube), "cube.ac").placing.up, ModelAxis::plusY);
-    EXPECT_EQ(guessPlacing(loaded(cube), "cube.lwo").placing.up, ModelAxis::plusZ);
+    EXPECT_EQ(guessPlacing(loaded(cube, usual), "cube").placing.nose, ModelAxis::minusX);
+    const auto placing = whole(ModelAxis::plusY, ModelAxis::plusZ, 1.0);
+    EXPECT_EQ(guessPlacing(loaded(asFile(*aircraft(), placing), usual), "a").placing.nose,
+              ModelAxis::plusZ);
+}
+
+TEST(ModelPlacing, AnAc3dFileStandsUprightWithItsNoseInFront) {
+    // A body along x with a fin at +x: AC3D and FlightGear have y up and the nose along -x.
+    const std::string text = R"(AC3Db
+MATERIAL "paint" rgb 1 1 1 amb 1 1 1 emis 0 0 0 spec 0 0 0 shi 1 trans 0
+OBJECT world
+kids 1
+OBJECT poly
+name "fin"
+numvert 3
+4 0 0
+4 3 0
+-4 0 0
+numsurf 1
+SURF 0x20
+mat 0
+refs 3
+0 0 0
+1 0 0
+2 0 0
+kids 0
+)";
+    const auto file = smat::test::writtenFile(smat::test::ownFolder() / "fin.ac", text);
+    const auto model = Model::load(file);
+    EXPECT_EQ(model->placing(), whole(ModelAxis::plusY, ModelAxis::minusX, 1.0));
+    EXPECT_DOUBLE_EQ(model->bounds().max.z, 3.0);
+    EXPECT_DOUBLE_EQ(model->bounds().min.z, 0.0);
+    EXPECT_DOUBLE_EQ(model->bounds().max.y, 4.0);
+    EXPECT_DOUBLE_EQ(model->bounds().min.y, -4.0);
+    const Mesh& mesh = *model->mesh();
+    for (const Float3& corner : mesh.partOf(mesh.pieces.front()).vertices) {
+        EXPECT_TRUE(corner[2] == 0.0f || corner[1] == -4.0f) << "the fin is at the tail";
+    }
+    // Another placing is taken as it is.
+    const auto other = Model::load(file, {.placing = {.up = ModelAxis::plusZ}});
+    EXPECT_EQ(*other->placing().up, ModelAxis::plusZ);
+    EXPECT_DOUBLE_EQ(other->bounds().max.z, 0.0);
 }
 
 TEST(ModelPlacing, BelievesTheFileBeforeTheShapeAndSaysSo) {

@@ -143,9 +143,6 @@ PlacingGuess guessOf(const SurfaceMesh& mesh, const LoadedGraph& graph, const st
         guess.reasons.push_back("up is " + nameOf(*placing.up) +
                                 ": the model is its own mirror image along " +
                                 nameOf(axisAlong(least)).substr(1) + " and lower than it is long");
-    } else if (lowerCase(std::filesystem::path(file).extension().string()) == ".ac") {
-        placing.up = ModelAxis::plusY;
-        guess.reasons.push_back("up is +y, as AC3D has it: the shape does not tell");
     } else {
         placing.up = ModelAxis::plusZ;
         guess.reasons.push_back("up is +z: neither the file nor the shape tells");
@@ -161,6 +158,7 @@ PlacingGuess guessOf(const SurfaceMesh& mesh, const LoadedGraph& graph, const st
         const double first = asymmetry[static_cast<std::size_t>(one)],
                      last = asymmetry[static_cast<std::size_t>(other)];
         std::string why = "neither the file nor the shape tells";
+        bool isTold = true;
         if (std::min(first, last) < 0.02 && 3.0 * std::min(first, last) < std::max(first, last)) {
             noseLine = first < last ? other : one;
             why = "the model is its own mirror image across it";
@@ -173,11 +171,19 @@ PlacingGuess guessOf(const SurfaceMesh& mesh, const LoadedGraph& graph, const st
                    1.2 * std::min(along(size, one), along(size, other))) {
             noseLine = along(size, one) > along(size, other) ? one : other;
             why = "the model is longest along it";
+        } else {
+            isTold = false;
         }
+        if (!isTold && axes.usualFront && lineOf(*axes.usualFront) != upLine)
+            noseLine = lineOf(*axes.usualFront);
         const double tail = tailTowards(mesh, box, noseLine, upLine, isNegative(*placing.up));
-        const bool backwards = tail > 0.02;
-        if (std::abs(tail) > 0.02)
+        bool backwards = tail > 0.02;
+        if (std::abs(tail) > 0.02) {
             why += ", and its other end is higher, wider or has a fin, as a tail does";
+        } else if (axes.usualFront && lineOf(*axes.usualFront) == noseLine) {
+            backwards = isNegative(*axes.usualFront);
+            why += ", and as in most models of its format";
+        }
         placing.nose = axisAlong(noseLine, backwards);
         guess.reasons.push_back("the nose points along " + nameOf(*placing.nose) + ": " + why);
     }
@@ -232,9 +238,10 @@ ModelPlacing completed(const ModelPlacing& placing, const FileAxes& axes, const 
     if (!whole.nose) {
         // What is stated belongs together: a nose along another up would be no statement.
         const bool upright = lineOf(*whole.up) != lineOf(ModelAxis::plusY);
-        whole.nose = axes.front && lineOf(*axes.front) != lineOf(*whole.up) ? *axes.front
-                     : upright                                              ? ModelAxis::plusY
-                                                                            : ModelAxis::plusZ;
+        const std::optional<ModelAxis>& front = axes.front ? axes.front : axes.usualFront;
+        whole.nose = front && lineOf(*front) != lineOf(*whole.up) ? *front
+                     : upright                                    ? ModelAxis::plusY
+                                                                  : ModelAxis::plusZ;
     }
     if (lineOf(*whole.nose) == lineOf(*whole.up))
         throw InputError({file, "noseAxis",

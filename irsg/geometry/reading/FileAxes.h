@@ -18,6 +18,9 @@ struct FileAxes {
     /// A unit that a comment or a name in the file mentions, where its format has no place for one:
     /// for whoever guesses, and for nobody else.
     std::optional<UnitInWords> spokenUnit = {};
+    /// Where the front of nearly all models of the format points, though no file has to keep to it:
+    /// where nobody says anything else; a guess believes the shape before it.
+    std::optional<ModelAxis> usualFront = {};
 
     bool operator==(const FileAxes&) const = default;
 };

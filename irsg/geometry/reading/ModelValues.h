@@ -36,9 +36,9 @@ struct ModelOrigin {
 };
 
 /// How the axes and the unit of a file become those of this program: x starboard, y nose, z up, m.
-/// What is not set is as the file states it (FileAxes), or else: up +z; nose +y, and +z where up is
-/// +y or -y; 1 m; the file's origin, unless it lies so far off that single precision would bend the
-/// shape (then the centre, with a remark).
+/// What is not set is as the file states it or its format usually is (FileAxes), or else: up +z;
+/// nose +y, and +z where up is +y or -y; 1 m; the file's origin, unless it lies so far off that
+/// single precision would bend the shape (then the centre, with a remark).
 struct ModelPlacing {
     std::optional<ModelAxis> up = {};   ///< what of the file points up
     std::optional<ModelAxis> nose = {}; ///< what of the file points forward

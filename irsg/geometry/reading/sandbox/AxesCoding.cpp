@@ -35,6 +35,7 @@ void putAxes(ByteSink& sink, const FileAxes& axes) {
     sink.putText(axes.reason);
     sink.put(axes.spokenUnit ? axes.spokenUnit->unit_m : 0.0);
     sink.putText(axes.spokenUnit ? axes.spokenUnit->words : "");
+    putAxis(sink, axes.usualFront);
 }
 
 FileAxes getAxes(ByteSource& source) {
@@ -47,6 +48,7 @@ FileAxes getAxes(ByteSource& source) {
     std::string words = source.getText();
     if (spoken_m)
         axes.spokenUnit = {*spoken_m, std::move(words)};
+    axes.usualFront = getAxis(source);
     return axes;
 }
 

@@ -75,6 +75,17 @@ std::string complaintOf(const Read& read) {
                           osgDB::getLowerCaseFileExtension(file.string())});
 }
 
+/// Of formats in which all models are alike, without a word for it.
+FileAxes usualAxes(const fs::path& file) {
+    if (osgDB::getLowerCaseFileExtension(file.string()) != "ac")
+        return {};
+    return {.unit_m = {},
+            .up = ModelAxis::plusY,
+            .front = {},
+            .reason = "the custom of .ac: y up and, in aircraft of FlightGear, the nose along -x",
+            .usualFront = ModelAxis::minusX};
+}
+
 } // namespace
 
 void setAssimpReading(AssimpReading reading) {
@@ -128,6 +139,7 @@ LoadedGraph readModelHere(const fs::path& place, const fs::path& file) {
                 complaint += (complaint.empty() ? "" : "; ") + line;
         refuse(file, FileKind::model, complaint);
     }
+    loaded.axes = usualAxes(file);
     loaded.remarks = counted;
     addNotices(loaded.remarks, lines);
     const std::vector<std::string> refusals = guard.take();
