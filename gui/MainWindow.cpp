@@ -43,6 +43,11 @@
 #include "irsg/core/WriteGuard.h"
 
 namespace smat::gui {
+namespace {
+
+constexpr int leastPage_px = 320;
+
+} // namespace
 
 MainWindow::MainWindow(Workbench& workbench, Dialogs dialogs, QWidget* parent)
     : QMainWindow(parent), workbench_(workbench), dialogs_(std::move(dialogs)) {
@@ -122,18 +127,21 @@ void MainWindow::makeCentre() {
         area->setFrameShape(QFrame::NoFrame);
         area->setWidgetResizable(true);
         area->setFocusPolicy(Qt::NoFocus);
-        area->setMinimumSize(380, 300);
+        area->setMinimumSize(leastPage_px, 300);
         area->setWidget(row);
         rows->addWidget(area);
         return area;
     };
-    scrolling("centre", tabs_);
+    auto* first = scrolling("centre", tabs_);
     auto* other = scrolling("centreBeside", tabs_->beside());
     other->hide();
-    const auto follow = [this, rows, other] {
+    const auto follow = [this, rows, first, other] {
         const bool isThere = tabs_->beside()->count() > 0;
         if (isThere == other->isVisibleTo(rows))
             return;
+        // Two share the room of a small screen.
+        for (QScrollArea* area : {first, other})
+            area->setMinimumWidth(isThere ? leastPage_px / 2 : leastPage_px);
         other->setVisible(isThere);
         rows->setSizes({rows->width() / 2, rows->width() / 2});
     };
@@ -160,6 +168,8 @@ void MainWindow::makeDocks() {
         keepKeysFromHiddenTab(*dock);
     files_->addSettler([this] { return databaseDock_->files().mayCloseAll(); });
     resizeDocks({tree_, manipulators}, {310, 410}, Qt::Vertical);
+    constexpr int usualLeft_px = 316; // all fields in their rows; a small screen has less
+    resizeDocks({tree_, manipulators}, {usualLeft_px, usualLeft_px}, Qt::Horizontal);
 
     joinTreeAndEditor();
     if (view_ != nullptr) {

@@ -19,6 +19,7 @@
 #include "gui/ModelFieldsForm.h"
 #include "gui/settings/SettingForm.h"
 #include "gui/settings/TypedSetting.h"
+#include "gui/widgets/FlowBar.h"
 #include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/RefusedText.h"
 #include "gui/widgets/Theme.h"
@@ -32,6 +33,7 @@ namespace smat::gui {
 namespace {
 
 constexpr int sliderSteps = 3600; ///< a tenth of a degree over a turn
+constexpr int leastWidth_px = 236;
 
 QLabel* heading(const QString& text, QWidget* parent) {
     auto* label = new QLabel(text, parent);
@@ -91,8 +93,8 @@ ManipulatorsDock::ManipulatorsDock(Workbench& workbench, QWidget* parent)
     scroll->setWidgetResizable(true);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setWidget(body);
-    // As wide as its fields beside a scroll bar.
-    scroll->setMinimumWidth(300 + style()->pixelMetric(QStyle::PM_ScrollBarExtent));
+    // As wide as its fields beside a scroll bar; a slider gives way first.
+    scroll->setMinimumWidth(leastWidth_px + style()->pixelMetric(QStyle::PM_ScrollBarExtent));
     setWidget(scroll);
 
     connect(&workbench_, &Workbench::projectOpened, this, [body] { body->setEnabled(true); });
@@ -137,9 +139,9 @@ void ManipulatorsDock::addRow(QGridLayout* grid, const std::string& key, const Q
     row.slider->setRange(0, sliderSteps);
     row.slider->setSingleStep(10);
     row.slider->setPageStep(sliderSteps / 24);
-    row.slider->setMinimumWidth(80);
+    row.slider->setMinimumWidth(40);
     row.field->setObjectName(name);
-    row.field->setFixedWidth(84);
+    row.field->setFixedWidth(76);
     row.field->setAlignment(Qt::AlignRight);
     row.slider->setToolTip(SettingForm::helpText(info));
     row.field->setToolTip(row.slider->toolTip());
@@ -180,7 +182,7 @@ void ManipulatorsDock::addViews(QGridLayout* grid) {
                                      {"viewStarboard", "Starb.", "90", "0", tr("From starboard")},
                                      {"viewTop", "Top", "0", "90", tr("From above")},
                                      {"viewBelly", "Belly", "0", "-90", tr("From below")}}};
-    auto* buttons = new QGridLayout;
+    auto* buttons = new WrappingRow;
     buttons->setSpacing(4);
     for (std::size_t i = 0; i < views.size(); ++i) {
         const View& view = views[i];
@@ -195,7 +197,7 @@ void ManipulatorsDock::addViews(QGridLayout* grid) {
             settings.set(key::cameraElevation, view.elevation);
             workbench_.set(settings, tr("Look: %1").arg(view.tip.toLower()));
         });
-        buttons->addWidget(button, 0, static_cast<int>(i));
+        buttons->addWidget(button);
     }
     grid->addLayout(buttons, grid->rowCount(), 0, 1, 4);
 }

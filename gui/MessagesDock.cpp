@@ -103,7 +103,7 @@ void MessagesDock::makeList() {
     list_->header()->setSectionResizeMode(sentenceColumn, QHeaderView::Stretch);
     list_->header()->setSectionResizeMode(placeColumn, QHeaderView::ResizeToContents);
     list_->setColumnWidth(timeColumn, 92);
-    list_->setColumnWidth(sourceColumn, 170);
+    list_->setColumnWidth(sourceColumn, 120);
     connect(list_, &QTreeWidget::itemActivated, this, &MessagesDock::goThere);
     auto* keys = new QShortcut(QKeySequence::Copy, list_);
     keys->setContext(Qt::WidgetShortcut);

@@ -98,7 +98,9 @@ ResultsDock::ResultsDock(Workbench& workbench, Dialogs dialogs, QWidget* parent)
     connect(&store, &ResultStore::addedQuietly, this, &ResultsDock::addResult);
     connect(&store, &ResultStore::unsavedChanged, this, [this] {
         const int count = workbench_.resultStore().unsavedCount();
-        setWindowTitle(count > 0 ? tr("Results (%1 not saved)").arg(count) : tr("Results"));
+        // Short, as it stands in a tab beside others, too.
+        setWindowTitle(count > 0 ? tr("Results (%1*)").arg(count) : tr("Results"));
+        setToolTip(count > 0 ? tr("%1 not saved").arg(count) : QString());
     });
     connect(&store, &ResultStore::renamed, this, &ResultsDock::refreshItem);
     connect(&store, &ResultStore::removed, this, &ResultsDock::removeItem);

@@ -29,17 +29,19 @@ namespace smat::gui {
 namespace {
 
 constexpr int findingsTab = 3;
+constexpr int leastWidth_px = 392;
 /// From here on the entry stands beside the list, not below it.
 constexpr int sideBySide_px = 820;
 
 } // namespace
 
 DatabaseDock::DatabaseDock(Workbench& workbench, const Dialogs& dialogs, QWidget* window)
-    : QDockWidget(tr("Signature database"), window),
+    : QDockWidget(tr("Database"), window),
       context_(workbench, workbench.database(), dialogs),
       files_(context_) {
     setObjectName("databaseDock");
     context_.window = window;
+    toggleViewAction()->setText(tr("Signature database")); // a tab has less room than a menu
     // From the dock to its pages: a widget that gets another parent is polished anew with all that
     // is in it.
     auto* scroll = new QScrollArea(this);
@@ -49,15 +51,15 @@ DatabaseDock::DatabaseDock(Workbench& workbench, const Dialogs& dialogs, QWidget
     scroll->setWidget(body);
     setWidget(scroll);
     auto* column = new QVBoxLayout(body);
-    column->setContentsMargins(12, 8, 12, 10);
+    column->setContentsMargins(10, 8, 10, 10);
     column->setSpacing(8);
-    body->setMinimumWidth(430);
+    body->setMinimumWidth(leastWidth_px);
     banner_ = new DatabaseBanner(context_, body);
     tabs_ = new QTabWidget(body);
     tabs_->setObjectName("databaseTabs");
     tabs_->setDocumentMode(true);
     tabs_->setIconSize(QSize(16, 16));
-    tabs_->setStyleSheet("QTabBar::tab { padding: 7px 8px; }");
+    tabs_->setStyleSheet("QTabBar::tab { padding: 7px 5px; }");
     temperature_ = new TemperaturePanel(context_, tabs_);
     auto* material = new MaterialPanel(context_, tabs_);
     connect(material, &MaterialPanel::importWanted, this,
@@ -94,9 +96,9 @@ DatabaseDock::DatabaseDock(Workbench& workbench, const Dialogs& dialogs, QWidget
     column->addWidget(empty_, 1);
     column->addStretch(0);
     // Behind another dock it takes no room from the view; in front it is as wide as it needs, but
-    // in a narrow window, which it must not widen, it scrolls.
+    // in a window that is narrower than that it scrolls.
     connect(this, &QDockWidget::visibilityChanged, scroll, [scroll, body, window](bool inFront) {
-        constexpr int ofOthers_px = 730; // the view and the docks on its left
+        constexpr int ofOthers_px = 610; // the view and the docks on its left at least
         const int bar = scroll->verticalScrollBar()->sizeHint().width();
         const int room = std::max(window->width() - ofOthers_px, 0);
         scroll->setMinimumWidth(inFront ? std::min(body->minimumWidth() + bar, room) : 0);

@@ -44,7 +44,7 @@ NodePlot::NodePlot(QWidget* parent) : QwtPlot(parent) {
     setObjectName("nodePlot");
     setFocusPolicy(Qt::StrongFocus);
     setAutoReplot(false);
-    setMinimumSize(180, 100);
+    setMinimumSize(190, 100);
     auto* sheet = new QwtPlotCanvas(this);
     sheet->setFrameStyle(QFrame::NoFrame);
     setCanvas(sheet);

@@ -128,7 +128,7 @@ NodeTable::NodeTable(NodeTableModel& model, QWidget* parent)
     horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
     horizontalHeader()->setSectionResizeMode(1, QHeaderView::Stretch);
     horizontalHeader()->setTextElideMode(Qt::ElideRight);
-    setMinimumWidth(215);
+    setMinimumWidth(185);
 }
 
 QString NodeTable::pasteAt(const QModelIndex& cell, const Rows& block) {

@@ -31,7 +31,7 @@ struct ModelWords {
     const char* help;
 };
 const ModelWords modelWords[] = {
-    {"", QT_TRANSLATE_NOOP("SurfacePage", "Lambertian: alike in all directions"), ""},
+    {"", QT_TRANSLATE_NOOP("SurfacePage", "Lambertian: diffuse"), ""},
     {"ggx", QT_TRANSLATE_NOOP("SurfacePage", "Facets (GGX)"),
      QT_TRANSLATE_NOOP("SurfacePage", "The emissivity of the first page is that along the normal, "
                                       "unless n and k give it.")},

@@ -18,6 +18,8 @@ constexpr int wipeSteps = 1000;
 constexpr double closeZoom = 24.0;
 
 constexpr int leastCompanionWidth_px = 150;
+/// Below it the companion stands under the images.
+constexpr int narrow_px = 560;
 
 /// Takes the size it is given: what it holds would else make its column the wider one, and lines
 /// that wrap in it its row the higher one.
@@ -40,7 +42,7 @@ ComparisonPanes::ComparisonPanes(QWidget* parent) : QWidget(parent) {
     for (std::size_t i = 0; i < canvases_.size(); ++i) {
         canvases_[i] = new ImageCanvas(this);
         canvases_[i]->setObjectName(names[i]);
-        canvases_[i]->setMinimumSize(160, 120);
+        canvases_[i]->setMinimumSize(110, 120);
         canvases_[i]->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
         link(canvases_[i]);
     }
@@ -121,22 +123,50 @@ void ComparisonPanes::makeWipe() {
 
 void ComparisonPanes::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
+    placeCompanion();
     showTitles();
 }
 
 void ComparisonPanes::setCompanion(QWidget* companion) {
+    delete companion_;
     auto* beside = new Beside(this);
     auto* row = new QHBoxLayout(beside);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(8);
     differenceBar()->setParent(beside);
     row->addWidget(differenceBar());
-    row->addWidget(companion, 1);
+    companion_ = companion;
+    besideDifference_ = row;
+    row->addWidget(companion_, 1);
     if (auto* before = grid_->itemAtPosition(3, 1); before != nullptr)
         delete before->widget();
     // Both rows of images are equally high, whatever the companion would like.
     beside->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);
     grid_->addWidget(beside, 3, 1, 1, 2);
+    placeCompanion();
+}
+
+void ComparisonPanes::placeCompanion() {
+    constexpr int below = 4;
+    const bool isNarrow = width() < narrow_px;
+    if (isNarrow == (besideDifference_->indexOf(companion_) < 0))
+        return;
+    if (isNarrow) {
+        besideDifference_->removeWidget(companion_);
+        besideDifference_->addStretch(1);
+        grid_->addWidget(companion_, below, 0, 1, grid_->columnCount());
+    } else {
+        grid_->removeWidget(companion_);
+        delete besideDifference_->takeAt(besideDifference_->count() - 1);
+        besideDifference_->addWidget(companion_, 1);
+    }
+    grid_->setRowStretch(below, isNarrow ? 1 : 0);
+    // With the height of a row of its own the companion leaves bars no more than they need.
+    const int bar_px = isNarrow ? std::max(sharedBar()->minimumSizeHint().height(),
+                                           differenceBar()->minimumSizeHint().height())
+                                : 0;
+    for (const int row : {1, 3})
+        grid_->setRowMinimumHeight(row, bar_px);
 }
 
 void ComparisonPanes::link(ImageCanvas* canvas) {

@@ -11,6 +11,7 @@
 
 class QCheckBox;
 class QGridLayout;
+class QHBoxLayout;
 class QLabel;
 class QSlider;
 
@@ -74,6 +75,8 @@ class ComparisonPanes : public QWidget {
 
   private:
     QLabel* makeTitle(int index);
+    /// Beside the difference, or below all where the page is narrow.
+    void placeCompanion();
     void makeWipe();
     void link(ImageCanvas* canvas);
     void followColors();
@@ -88,6 +91,8 @@ class ComparisonPanes : public QWidget {
     QWidget* wipeControl_ = nullptr;
     QCheckBox* wipe_ = nullptr;
     QSlider* wipeAt_ = nullptr;
+    QWidget* companion_ = nullptr;
+    QHBoxLayout* besideDifference_ = nullptr;
     QGridLayout* grid_ = nullptr;
     bool flickering_ = false;
 };

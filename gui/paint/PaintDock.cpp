@@ -53,7 +53,7 @@ PaintDock::PaintDock(QWidget* parent) : QDockWidget(tr("Paint codes"), parent) {
     column->addWidget(makePainting());
     column->addWidget(makeLegend(), 1);
     // No wider than the docks beside and below it.
-    setWidget(new VerticalScrollArea(body, this, 300));
+    setWidget(new VerticalScrollArea(body, this, 250));
     connect(by_, &QComboBox::activated, this, [this] {
         refresh();
         emit pickByChosen();

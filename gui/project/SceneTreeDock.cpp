@@ -62,7 +62,7 @@ SceneTreeDock::SceneTreeDock(Workbench& workbench, QWidget* parent)
     tree_->setUniformRowHeights(true);
     tree_->setFrameShape(QFrame::NoFrame);
     tree_->setContextMenuPolicy(Qt::CustomContextMenu);
-    tree_->setMinimumWidth(300);
+    tree_->setMinimumWidth(220);
     auto* nothing = new QTreeWidgetItem(tree_, {tr("nothing is open yet")});
     nothing->setFlags(Qt::NoItemFlags);
     setWidget(tree_);

@@ -32,7 +32,7 @@ QComboBox* choice(const QString& name, const QList<std::pair<QString, QString>>&
     for (const auto& [word, data] : words)
         box->addItem(word, data);
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    box->setMinimumContentsLength(12);
+    box->setMinimumContentsLength(20);
     return box;
 }
 

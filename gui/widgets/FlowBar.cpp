@@ -57,13 +57,13 @@ FlowBar::FlowBar(QWidget* parent) : QWidget(parent) {
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     both_ = new QBoxLayout(QBoxLayout::LeftToRight, this);
     both_->setContentsMargins(0, 0, 0, 0);
-    first_ = new QHBoxLayout;
+    first_ = new WrappingRow;
     second_ = new WrappingRow;
     both_->addLayout(first_);
     both_->addStretch(1);
     both_->addLayout(second_);
-    both_->setAlignment(first_, Qt::AlignLeft | Qt::AlignVCenter);
-    both_->setAlignment(second_, Qt::AlignRight); // its rows take the height that they need
+    both_->setAlignment(first_, Qt::AlignLeft); // rows take the height that they need
+    both_->setAlignment(second_, Qt::AlignRight);
 }
 
 QSize FlowBar::minimumSizeHint() const {

@@ -25,7 +25,7 @@ class WrappingRow : public QHBoxLayout {
 };
 
 /// Two groups of fields and buttons in a row, the second at its end; one above the other where the
-/// row is too narrow for both, and the second in further rows where that is too narrow for it.
+/// row is too narrow for both, and each in further rows where that is too narrow for it.
 class FlowBar : public QWidget {
     Q_OBJECT
 
@@ -43,8 +43,7 @@ class FlowBar : public QWidget {
   private:
     void arrange();
     QBoxLayout* both_ = nullptr;
-    QHBoxLayout* first_ = nullptr;
-    WrappingRow* second_ = nullptr;
+    WrappingRow *first_ = nullptr, *second_ = nullptr;
 };
 
 } // namespace smat::gui

@@ -8,7 +8,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
-#include <QMainWindow>
+#include <QScrollArea>
 #include <QStyle>
 #include <QStyleOptionComboBox>
 #include <QTabBar>
@@ -75,6 +75,21 @@ const QAbstractScrollArea* scrollOf(const QWidget& widget) {
     return nullptr;
 }
 
+/// What needs the most room to the right on a page.
+QString farthestOn(const QWidget& page) {
+    QString farthest = "itself";
+    int most_px = 0;
+    for (const QWidget* widget : page.findChildren<QWidget*>()) {
+        const int least_px = std::max(widget->minimumSizeHint().width(), widget->minimumWidth());
+        const int right_px = widget->mapTo(&page, QPoint(least_px, 0)).x();
+        if (widget->isVisible() && right_px > most_px) {
+            most_px = right_px;
+            farthest = QString("%1, up to %2").arg(nameOf(*widget)).arg(right_px);
+        }
+    }
+    return farthest;
+}
+
 void findNarrow(const QWidget& widget, QStringList& faults) {
     if (const auto* label = qobject_cast<const QLabel*>(&widget);
         label != nullptr && !label->wordWrap() && label->pixmap().isNull() &&
@@ -121,9 +136,17 @@ void findNarrow(const QWidget& widget, QStringList& faults) {
                           .arg(field.width());
         }
     }
-    // Titles of docks are whole in their bars and in the tips of their tabs.
-    if (const auto* tabs = qobject_cast<const QTabBar*>(&widget);
-        tabs != nullptr && qobject_cast<const QMainWindow*>(tabs->parentWidget()) == nullptr) {
+    // Of what is not a table or a tree, whose columns a person widens.
+    if (const auto* area = qobject_cast<const QScrollArea*>(&widget);
+        area != nullptr && area->widget() != nullptr &&
+        area->widget()->width() > area->viewport()->width()) {
+        faults << QString("scrolls sideways: %1 shows %2 of %3 px, for %4")
+                      .arg(nameOf(widget))
+                      .arg(area->viewport()->width())
+                      .arg(area->widget()->width())
+                      .arg(farthestOn(*area->widget()));
+    }
+    if (const auto* tabs = qobject_cast<const QTabBar*>(&widget); tabs != nullptr) {
         for (int i = 0; i < tabs->count(); ++i) {
             if (tabs->isTabVisible(i) &&
                 tabs->fontMetrics().horizontalAdvance(QString(tabs->tabText(i)).remove('&')) + 8 >

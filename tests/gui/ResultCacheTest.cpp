@@ -56,8 +56,7 @@ TEST_F(ResultCacheTest, ComeBackWithTheProject) {
     };
     window->findChild<QAction*>("annotateResultAction")->trigger();
     onDialog = {};
-    EXPECT_EQ(window->findChild<QDockWidget*>("resultsDock")->windowTitle(),
-              "Results (2 not saved)");
+    EXPECT_EQ(window->findChild<QDockWidget*>("resultsDock")->windowTitle(), "Results (2*)");
     EXPECT_TRUE(window->isWindowModified());
     save();
     EXPECT_FALSE(window->isWindowModified());
@@ -206,6 +205,8 @@ TEST_F(JobLineTest, SeveralWaitAndAreSeenWhicheverDockIsInFront) {
     EXPECT_TRUE(bar->isVisible());
     EXPECT_EQ(bar->findChild<QLabel*>("jobTitle")->text(), "first");
     EXPECT_EQ(bar->findChild<QLabel*>("jobDetail")->text(), "2 of 12");
+    // In which the renderer is at a stage of its own.
+    EXPECT_EQ(bar->findChild<QLabel*>("jobStage")->text(), "gate: waiting, 25 %");
     EXPECT_TRUE(bar->findChild<QLabel*>("jobTimes")->text().contains("left"));
     auto* line = bar->findChild<QToolButton*>("waitingJobs");
     EXPECT_EQ(line->text(), "3 waiting");

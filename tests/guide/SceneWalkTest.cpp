@@ -204,7 +204,7 @@ TEST_F(SceneWalkTest, StateDatabaseAndWhatComesOut) {
     }
     {
         test::GuideWalk walk("scene", "Its own database");
-        walk.step("The panel Signature database shows the database of the chosen model");
+        walk.step("The panel Database shows the database of the chosen model");
         const auto title = [this] { return get<QLabel>("databaseTitle")->text(); };
         EXPECT_EQ(title(), "sphere.sigdb of sphere");
         const auto warm = [this](double by_K) {
