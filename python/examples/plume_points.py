@@ -3,7 +3,8 @@
     python plume_points.py flow.vtu points.csv --axes x,y,z --pressure-unit Pa T=Temperature p=Pressure CO2=X_CO2
 
 Columns that are not named are those arrays of the file that are called T, p, CO2, H2O, CO, CH4, O2 and soot. Arrays of
-points stand at points, those of cells at the middles of cells. Without files it makes a small one of its own.
+points stand at points, those of cells at the middles of cells. What meshio cannot read, such as polyhedra and LZ4, is
+read with the package vtk where that is installed. Without files it makes a small one of its own.
 """
 
 import argparse
@@ -31,16 +32,69 @@ def write_small(file: pathlib.Path) -> None:
     meshio.Mesh(np.stack([x, y, z], axis=1), [("hexahedron", cells)], point_data=arrays).write(file)
 
 
-def read(file: pathlib.Path, names: dict[str, str]) -> tuple[NDArray[np.float64], dict[str, NDArray[np.float64]]]:
-    """Places by point and axis, m, and the columns that the file has."""
+Table = tuple[NDArray[np.float64], dict[str, NDArray[np.float64]]]  # places by point and axis, m, and arrays
+
+
+def by_meshio(file: pathlib.Path) -> tuple[Table, Table]:
+    """Of points and of the middles of cells."""
     mesh = meshio.read(file)
-    if names["T"] in mesh.point_data:
-        places, arrays = mesh.points, mesh.point_data
-    elif names["T"] in mesh.cell_data:
-        places = np.concatenate([mesh.points[cells.data].mean(axis=1) for cells in mesh.cells])
-        arrays = {name: np.concatenate(values) for name, values in mesh.cell_data.items()}
+    middles = [mesh.points[cells.data].mean(axis=1) for cells in mesh.cells]
+    of_cells = {name: np.concatenate(values) for name, values in mesh.cell_data.items()}
+    return (mesh.points, mesh.point_data), (np.concatenate(middles) if middles else np.empty((0, 3)), of_cells)
+
+
+def by_vtk(file: pathlib.Path) -> tuple[Table, Table]:
+    """The same with the package vtk."""
+    from vtkmodules.util.numpy_support import vtk_to_numpy  # type: ignore
+    from vtkmodules.vtkFiltersCore import vtkCellCenters  # type: ignore
+    from vtkmodules.vtkIOXML import vtkXMLGenericDataObjectReader  # type: ignore
+
+    reader = vtkXMLGenericDataObjectReader()
+    reader.SetFileName(str(file))
+    reader.Update()
+    grid = reader.GetOutput()
+    if grid is None or not hasattr(grid, "GetPoints") or grid.GetPoints() is None:
+        raise ValueError("vtk finds no points")
+    centres = vtkCellCenters()
+    centres.SetInputData(grid)
+    centres.Update()
+
+    def table(points: object, data: object) -> Table:
+        arrays = {data.GetArrayName(i): data.GetArray(i) for i in range(data.GetNumberOfArrays())}  # type: ignore
+        return vtk_to_numpy(points.GetData()), {  # type: ignore
+            name: vtk_to_numpy(array) for name, array in arrays.items() if array is not None
+        }
+
+    return table(grid.GetPoints(), grid.GetPointData()), table(centres.GetOutput().GetPoints(), grid.GetCellData())
+
+
+def load(file: pathlib.Path) -> tuple[Table, Table]:
+    if not file.is_file():
+        raise SystemExit(f"{file}: no such file")
+    try:
+        return by_meshio(file)
+    except (Exception, SystemExit) as refused:  # of many kinds, asserts among them
+        why = f"{type(refused).__name__} {refused}".strip()
+    try:
+        return by_vtk(file)
+    except ImportError:
+        raise SystemExit(
+            f"{file}: meshio cannot read it ({why}); write it with cells that are no polyhedra and without LZ4, "
+            "or install the package vtk, which reads it"
+        ) from None
+    except Exception as refused:
+        raise SystemExit(f"{file}: neither meshio ({why}) nor vtk ({refused}) can read it") from None
+
+
+def read(file: pathlib.Path, names: dict[str, str]) -> Table:
+    """Places by point and axis, m, and the columns that the file has."""
+    of_points, of_cells = load(file)
+    if names["T"] in of_points[1]:
+        places, arrays = of_points
+    elif names["T"] in of_cells[1]:
+        places, arrays = of_cells
     else:
-        raise SystemExit(f"{file}: no array {names['T']}; there are {[*mesh.point_data, *mesh.cell_data]}")
+        raise SystemExit(f"{file}: no array {names['T']}; there are {[*of_points[1], *of_cells[1]]}")
     found = {column: np.asarray(arrays[name], float) for column, name in names.items() if name in arrays}
     return np.asarray(places, float), found
 
