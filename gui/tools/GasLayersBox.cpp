@@ -46,7 +46,10 @@ QString wordsOf(const irsg::GasLayer& layer) {
 
 } // namespace
 
-GasLayersBox::GasLayersBox(QWidget* parent) : QWidget(parent) {
+GasLayersBox::GasLayersBox(QUndoStack& undoStack, QWidget* parent)
+    : QWidget(parent),
+      state_(undoStack, {{gasLayerFromText(gasLayerExample, "layer 1")}, 0},
+             [this] { showState(); }) {
     list_ = new QListWidget(this);
     list_->setObjectName("gasLayers");
     list_->setAccessibleName(tr("Layers"));
@@ -79,7 +82,7 @@ GasLayersBox::GasLayersBox(QWidget* parent) : QWidget(parent) {
         showChosen();
         emit changed();
     });
-    setLayers({gasLayerFromText(gasLayerExample, "layer 1")});
+    showState();
 }
 
 QToolButton* GasLayersBox::makeButton(const char* name, const char* picture, const QString& tip,
@@ -114,15 +117,14 @@ QWidget* GasLayersBox::makeFields() {
                               leastRoom_px);
         edit->setRange(0.0, std::numeric_limits<double>::infinity());
         edit->setCheck([this, number](double value) { return problemOf(number, value); });
-        connect(edit, &NumberField::edited, this, [this, number](double value) {
-            irsg::GasLayer& layer = layers_[chosen()];
-            gasLayerFields()[number].of(layer) = value;
-            list_->currentItem()->setText(wordsOf(layer));
-            list_->currentItem()->setToolTip(wordsOf(layer));
-        });
+        connect(edit, &NumberField::edited, this,
+                [this, number](double value) { set(number, value); });
         // After the field's own slot, which says whether the text can stand.
         connect(edit, &QLineEdit::textEdited, this, &GasLayersBox::changed);
-        connect(edit, &NumberField::finished, this, &GasLayersBox::changed);
+        connect(edit, &NumberField::finished, this, [this] {
+            gesture_ = EditedState<State>::noGesture;
+            emit changed();
+        });
         auto* label = makeFieldLabel(field.label, holder);
         label->setBuddy(edit);
         edit->setAccessibleName(tr(field.label));
@@ -144,42 +146,62 @@ void GasLayersBox::choose(std::size_t layer) {
     list_->setCurrentRow(static_cast<int>(layer));
 }
 
-void GasLayersBox::setLayers(std::vector<irsg::GasLayer> layers) {
-    if (layers.empty())
-        throw irsg::LogicError("a list of layers needs at least one");
-    layers_ = std::move(layers);
+void GasLayersBox::edit(State after, const QString& step, int gesture) {
+    // Undo comes back to the layer that was edited.
+    State before = *state_;
+    before.chosen = chosen();
+    state_.amend(std::move(before));
+    state_.set(std::move(after), step, gesture);
+}
+
+void GasLayersBox::showState() {
     refill();
-    choose(0);
+    {
+        const QSignalBlocker quiet(list_);
+        choose(state_->chosen);
+    }
+    showChosen();
+    emit changed();
+}
+
+void GasLayersBox::set(std::size_t field, double value) {
+    if (gesture_ == EditedState<State>::noGesture)
+        gesture_ = newGesture();
+    State after{layers(), chosen()};
+    gasLayerFields()[field].of(after.layers[after.chosen]) = value;
+    edit(std::move(after),
+         tr("Set %1 of gas layer %2").arg(tr(gasLayerFields()[field].label)).arg(chosen() + 1),
+         gesture_);
 }
 
 void GasLayersBox::add() {
-    const std::size_t at = chosen();
-    const irsg::GasLayer copy = layers_[at];
-    layers_.insert(layers_.begin() + static_cast<std::ptrdiff_t>(at) + 1, copy);
-    refill();
-    choose(at + 1);
+    State after{layers(), chosen() + 1};
+    after.layers.insert(after.layers.begin() + static_cast<std::ptrdiff_t>(after.chosen),
+                        layers()[chosen()]);
+    edit(std::move(after), tr("Add gas layer %1").arg(chosen() + 2));
 }
 
 void GasLayersBox::remove() {
-    if (layers_.size() == 1)
+    if (layers().size() == 1)
         return;
     const std::size_t at = chosen();
-    layers_.erase(layers_.begin() + static_cast<std::ptrdiff_t>(at));
-    refill();
-    choose(std::min(at, layers_.size() - 1));
+    State after{layers(), std::min(at, layers().size() - 2)};
+    after.layers.erase(after.layers.begin() + static_cast<std::ptrdiff_t>(at));
+    edit(std::move(after), tr("Remove gas layer %1").arg(at + 1));
 }
 
 void GasLayersBox::move(int by) {
     const auto at = static_cast<int>(chosen()), to = at + by;
-    if (to < 0 || to >= static_cast<int>(layers_.size()))
+    if (to < 0 || to >= static_cast<int>(layers().size()))
         return;
-    std::swap(layers_[static_cast<std::size_t>(at)], layers_[static_cast<std::size_t>(to)]);
-    refill();
-    choose(static_cast<std::size_t>(to));
+    State after{layers(), static_cast<std::size_t>(to)};
+    std::swap(after.layers[static_cast<std::size_t>(at)], after.layers[after.chosen]);
+    edit(std::move(after), by < 0 ? tr("Move gas layer %1 towards the sensor").arg(at + 1)
+                                  : tr("Move gas layer %1 away from the sensor").arg(at + 1));
 }
 
 QString GasLayersBox::problemOf(std::size_t field, double value) const {
-    irsg::GasLayer layer = layers_[chosen()];
+    irsg::GasLayer layer = layers()[chosen()];
     const GasLayerField& changed = gasLayerFields()[field];
     changed.of(layer) = value;
     for (irsg::Diagnostic& diagnostic : irsg::gasLayerDiagnostics(layer, ""))
@@ -197,9 +219,9 @@ QStringList GasLayersBox::problems() const {
             sentences << tr("Layer %1, %2: %3")
                              .arg(chosen() + 1)
                              .arg(tr(gasLayerFields()[i].label), fields_[i]->problem());
-    for (std::size_t i = 0; i < layers_.size(); ++i)
+    for (std::size_t i = 0; i < layers().size(); ++i)
         for (const irsg::Diagnostic& diagnostic :
-             irsg::gasLayerDiagnostics(layers_[i], tr("Layer %1").arg(i + 1).toStdString()))
+             irsg::gasLayerDiagnostics(layers()[i], tr("Layer %1").arg(i + 1).toStdString()))
             sentences << withFormattedUnits(sentenceOf(diagnostic));
     return sentences;
 }
@@ -207,23 +229,23 @@ QStringList GasLayersBox::problems() const {
 void GasLayersBox::refill() {
     const QSignalBlocker quiet(list_);
     list_->clear();
-    for (const irsg::GasLayer& layer : layers_) {
+    for (const irsg::GasLayer& layer : layers()) {
         auto* item = new QListWidgetItem(wordsOf(layer), list_);
         item->setToolTip(wordsOf(layer));
     }
 }
 
 void GasLayersBox::showChosen() {
-    const irsg::GasLayer& layer = layers_[chosen()];
+    const irsg::GasLayer& layer = layers()[chosen()];
     for (std::size_t i = 0; i < fields_.size(); ++i)
         fields_[i]->setValue(gasLayerFields()[i].valueIn(layer));
     refreshButtons();
 }
 
 void GasLayersBox::refreshButtons() {
-    remove_->setEnabled(layers_.size() > 1);
+    remove_->setEnabled(layers().size() > 1);
     up_->setEnabled(chosen() > 0);
-    down_->setEnabled(chosen() + 1 < layers_.size());
+    down_->setEnabled(chosen() + 1 < layers().size());
 }
 
 } // namespace smat::gui

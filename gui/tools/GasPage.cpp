@@ -76,7 +76,7 @@ QString problemOf(const GasInput& input, const std::string& name) {
 GasPage::GasPage(Workbench& workbench, Dialogs dialogs, QWidget* parent)
     : AtmosphereToolPage(workbench, std::move(dialogs), parent) {
     setObjectName("gasPage");
-    layers_ = new GasLayersBox(this);
+    layers_ = new GasLayersBox(this->workbench().undoStack(), this);
     plot_ = new GasPlot(this->dialogs(), this);
     plot_->hide(); // until there is something to plot
     inputs()->addWidget(layers_);
@@ -130,8 +130,8 @@ void GasPage::makeForm() {
     form->addRow(labelOf("step"), step_);
     source_ = new QComboBox(this);
     source_->setObjectName("gasSource");
-    source_->setToolTip(tr("Whose numbers say how a gas absorbs: auto takes lines where their "
-                           "tables reach, and RADCAL beyond"));
+    source_->setToolTip(tr("Source of the absorption of a gas: auto takes lines where their tables "
+                           "reach, and RADCAL beyond"));
     for (const char* word : irsg::gasSourceNames)
         source_->addItem(word);
     connect(source_, &QComboBox::activated, this, &GasPage::refresh);
@@ -144,8 +144,8 @@ void GasPage::makeForm() {
 
     atmosphere_ = new QComboBox(this);
     atmosphere_->setObjectName("gasAtmosphere");
-    atmosphere_->setToolTip(tr("Between gas and sensor; the sensor stands before the gas where "
-                               "there is none"));
+    atmosphere_->setToolTip(
+        tr("Between gas and sensor; without one, the sensor is right in front of the gas"));
     atmosphere_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     atmosphere_->setMinimumContentsLength(12);
     atmosphere_->addItems({tr("none"), tr("that of the project"), tr("A file…")});
@@ -163,7 +163,7 @@ void GasPage::makeForm() {
         "--sensor-altitude", tr("m"), settings[key::targetAltitude], 10.0, tr("Above the ground"),
         [](GasInput& input, double value) { input.sensorAltitude_m = value; });
     hasSensorAltitude_ = makeGiven("hasSensorAltitude", "--sensor-altitude", *sensorAltitude_);
-    hasSensorAltitude_->setToolTip(tr("That of the gas where it is not given"));
+    hasSensorAltitude_->setToolTip(tr("If not given, that of the gas"));
     form->addRow(hasSensorAltitude_, sensorAltitude_);
     inputs()->addLayout(form);
 }

@@ -20,6 +20,7 @@
 #include "gui/widgets/NumberField.h"
 #include "irsg/signature/Lint.h"
 #include "smatcore/analysis/ResultFile.h"
+#include "smatcore/settings/SettingKeys.h"
 #include "smatcore/tools/GasLayerText.h"
 #include "tests/cli/Program.h"
 #include "tests/gui/WindowFixture.h"
@@ -109,6 +110,87 @@ class GasPageTest : public test::WindowFixture {
 
     GasPage* page = nullptr;
 };
+
+TEST_F(GasPageTest, EditsOfLayersAreStepsThatCanBeUndone) {
+    const QUndoStack& stack = workbench.undoStack();
+    std::vector<std::vector<irsg::GasLayer>> states{page->layers().layers()};
+    QStringList steps;
+    const int before = stack.count();
+    const auto expectStep = [&](const char* name) {
+        states.push_back(page->layers().layers());
+        steps << name;
+        EXPECT_EQ(stack.undoText(), name);
+        EXPECT_NE(states.back(), states[states.size() - 2]) << name;
+        ASSERT_EQ(stack.count() - before, steps.size()) << name; // typing is one step
+    };
+    type("T_K", "850");
+    leave("T_K");
+    expectStep("Set Temperature of gas layer 1");
+    press("addLayer");
+    expectStep("Add gas layer 2");
+    type("CO", "0.0125");
+    leave("CO");
+    expectStep("Set CO of gas layer 2");
+    type("CO", "0.02"); // another time
+    leave("CO");
+    expectStep("Set CO of gas layer 2");
+    press("layerUp");
+    expectStep("Move gas layer 2 towards the sensor");
+    press("layerDown");
+    expectStep("Move gas layer 1 away from the sensor");
+    page->layers().choose(0);
+    press("removeLayer");
+    expectStep("Remove gas layer 1");
+
+    for (int i = static_cast<int>(states.size()) - 2; i >= 0; --i) {
+        trigger("undo");
+        EXPECT_EQ(page->layers().layers(), states[static_cast<std::size_t>(i)]) << i;
+        const irsg::GasLayer& shown = page->layers().layers()[page->layers().chosen()];
+        EXPECT_EQ(get<NumberField>("T_K")->value(), shown.temperature_K) << i;
+        EXPECT_EQ(get<QListWidget>("gasLayers")->count(),
+                  static_cast<int>(states[static_cast<std::size_t>(i)].size()));
+    }
+    EXPECT_EQ(stack.index(), before);
+    for (std::size_t i = 1; i < states.size(); ++i) {
+        trigger("redo");
+        EXPECT_EQ(page->layers().layers(), states[i]) << i;
+    }
+    EXPECT_FALSE(stack.canRedo());
+}
+
+TEST_F(GasPageTest, WhatIsRefusedOrLookedAtIsNoStep) {
+    const QUndoStack& stack = workbench.undoStack();
+    const int before = stack.count();
+    type("T_K", "-5");
+    leave("T_K");
+    EXPECT_EQ(stack.count(), before);
+    type("T_K", "700"); // as it was
+    leave("T_K");
+    EXPECT_EQ(stack.count(), before);
+    press("addLayer");
+    type("T_K", "900");
+    leave("T_K");
+    const auto layers = page->layers().layers();
+    page->layers().choose(0);
+    EXPECT_EQ(stack.count(), before + 2);
+    trigger("undo");
+    EXPECT_EQ(page->layers().chosen(), 1U); // where it was edited
+    trigger("redo");
+    EXPECT_EQ(page->layers().layers(), layers);
+    // Steps of a closed page are passed over.
+    const double range_m = workbench.settings()[key::cameraRange];
+    workbench.set("camera.range", "1234");
+    auto* tabs = window->findChild<QTabWidget*>("tabs");
+    emit tabs->tabCloseRequested(tabs->currentIndex());
+    QTest::qWait(20);
+    trigger("undo");
+    EXPECT_EQ(workbench.settings()[key::cameraRange], range_m);
+    while (stack.canUndo()) {
+        trigger("undo");
+        QTest::qWait(20);
+    }
+    EXPECT_EQ(stack.index(), 0);
+}
 
 TEST_F(GasPageTest, WritesTheFileOfItsCommandByteForByte) {
     type("T_K", "850");
@@ -318,7 +400,6 @@ TEST_F(GasPageTest, TellsTheNumbersOfTheBandAndWhoAnsweredForThem) {
 TEST_F(GasPageTest, AddsALayerToTheDatabaseInOneStep) {
     auto& session = workbench.database();
     const irsg::SignatureDatabase before = session.value();
-    const int steps = workbench.undoStack().index();
     type("T_K", "950");
     press("addLayer");
     type("T_K", "400");
@@ -353,6 +434,7 @@ TEST_F(GasPageTest, AddsALayerToTheDatabaseInOneStep) {
         QTest::keyClicks(name, "exhaust");
         test::keepScreenshot(dialog, "gas-entry");
     };
+    const int steps = workbench.undoStack().index();
     press("addToDatabase");
     ASSERT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
     EXPECT_EQ(workbench.undoStack().index(), steps + 1);
@@ -375,8 +457,8 @@ TEST_F(GasPageTest, AddsALayerToTheDatabaseInOneStep) {
 TEST_F(GasPageTest, AddsTheSpectrumOfAllLayersToTheDatabaseInOneStep) {
     auto& session = workbench.database();
     const irsg::SignatureDatabase before = session.value();
-    const int steps = workbench.undoStack().index();
     press("addLayer");
+    const int steps = workbench.undoStack().index();
     GasEntryPlace place;
     onDialog = [&](QDialog& dialog) {
         auto* what = dialog.findChild<QComboBox*>("gasEntryWhat");

@@ -8,6 +8,7 @@
 #include "gui/atmosphere/ProjectAtmospherePage.h"
 #include "gui/plot/CartesianPlot.h"
 #include "gui/plot/PlotPanel.h"
+#include "gui/tools/GasLayersBox.h"
 #include "gui/tools/GasPage.h"
 #include "gui/tools/GasPlot.h"
 #include "gui/tools/RadiativePage.h"
@@ -372,8 +373,9 @@ TEST_F(AtmosphereWalkTest, HotGas) {
     walk.step(
         "The list has the layers in order from the sensor, the fields below it the numbers "
         "of the chosen layer. The buttons above the list add a layer behind it, remove it and "
-        "move it towards the sensor or away from it. What a layer cannot be is marked at its "
-        "field with the reason, and discarded when you leave the field.");
+        "move it towards the sensor or away from it. Each edit is a step of Edit → Undo, which "
+        "returns to the layer that was edited. What a layer cannot be is marked at its field with "
+        "the reason, and discarded when you leave the field.");
     const auto temperatures_K = [&] {
         std::vector<double> all;
         for (const irsg::GasLayer& layer : tool->input().gas.layers) {
@@ -389,6 +391,11 @@ TEST_F(AtmosphereWalkTest, HotGas) {
     EXPECT_EQ(temperatures_K(), (std::vector{400.0, 700.0}));
     get<QToolButton>("layerDown", tool)->click();
     get<QToolButton>("removeLayer", tool)->click();
+    EXPECT_EQ(temperatures_K(), (std::vector{700.0}));
+    act("undo");
+    EXPECT_EQ(temperatures_K(), (std::vector{700.0, 400.0}));
+    EXPECT_EQ(tool->layers().chosen(), 1U);
+    act("redo");
     EXPECT_EQ(temperatures_K(), (std::vector{700.0}));
     temperature->selectAll();
     QTest::keyClicks(temperature, "70");
