@@ -7,8 +7,8 @@ namespace smat::batch {
 AtmosphereArguments::AtmosphereArguments(CLI::App& command) {
     command
         .add_option("ATMOSPHERE", inputs_,
-                    "Atmosphere or Environment file, or none; of several the first that has the "
-                    "quantity over the band is used")
+                    "Atmosphere or Environment file, or none; of several, the first that provides "
+                    "the quantity over the band is used")
         ->required()
         ->type_name("");
 }

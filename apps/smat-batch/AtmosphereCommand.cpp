@@ -58,14 +58,14 @@ void addEditing(CLI::App& command, Context& context) {
     };
     auto wanted = std::make_shared<Wanted>();
     CLI::App* make =
-        command.add_subcommand("new", "A file of AtmosphereSmart: the report's defaults, with "
-                                      "IrradianceMode 2, but for what is given");
+        command.add_subcommand("new", "Writes a file of AtmosphereSmart: the report's defaults "
+                                      "with IrradianceMode 2, except for what is given");
     CLI::App* change = command.add_subcommand(
-        "set", "Other values in a file of AtmosphereSmart; what else stands in it is kept");
+        "set", "Changes values in a file of AtmosphereSmart and keeps the rest of it");
     change->add_option("FILE", wanted->file, "File of AtmosphereSmart")->required()->type_name("");
     for (CLI::App* one : {make, change}) {
         one->add_option("NAME=VALUE", wanted->assignments,
-                        "Parameters with their values, lists of numbers in quotes")
+                        "Parameters with their values; lists of numbers are quoted")
             ->required(one == change)
             ->type_name("");
         one->add_option("--out", wanted->out,
@@ -94,10 +94,10 @@ void addProviders(CLI::App& command, Context& context) {
     };
     auto wanted = std::make_shared<Wanted>();
     CLI::App* answers = command.add_subcommand(
-        "answers", "Which of several atmospheres answers for which quantity in a band");
+        "answers", "Shows which of several atmospheres provides each quantity in a band");
     answers
         ->add_option("ATMOSPHERE", wanted->atmospheres,
-                     "Atmosphere or Environment files in the order in which they are asked")
+                     "Atmosphere or Environment files, the first choice first")
         ->required()
         ->type_name("");
     answers
@@ -114,8 +114,8 @@ void addProviders(CLI::App& command, Context& context) {
 } // namespace
 
 void addAtmosphereCommand(CLI::App& app, Context& context) {
-    CLI::App* command = app.add_subcommand(
-        "atmosphere", "Makes, changes and looks into atmospheres and imports those of others");
+    CLI::App* command =
+        app.add_subcommand("atmosphere", "Makes, changes, inspects and imports atmospheres");
     command->require_subcommand(1);
 
     CLI::App* infoCommand = command->add_subcommand(
@@ -131,7 +131,7 @@ void addAtmosphereCommand(CLI::App& app, Context& context) {
         "import", "One table of MODTRAN results: tape7, tape7.scn, CSV and JSON");
     auto files = std::make_shared<std::vector<std::string>>();
     auto out = std::make_shared<std::string>();
-    importCommand->add_option("FILES", *files, "Results of runs of one air")
+    importCommand->add_option("FILES", *files, "Results of runs with one atmosphere")
         ->required()
         ->type_name("");
     importCommand->add_option("--out", *out, "Table to write (.smatatm)")

@@ -126,7 +126,7 @@ void print(const EnvironmentFile& file) {
     }
     for (const std::string& remark : file.loaded.remarks)
         fmt::print("  remark: {}\n", remark);
-    fmt::print("  {}; the first that has a quantity over the whole band is used\n",
+    fmt::print("  {}; the first that provides a quantity over the whole band is used\n",
                irsg::counted(environment.atmospheres().size(), "atmosphere"));
     for (std::size_t i = 0; i < environment.atmospheres().size(); ++i) {
         const irsg::KarmaComposite& entry = file.parameters.composition[i];

@@ -92,8 +92,8 @@ void addConvertCommand(CLI::App& app, Context& context) {
     command->add_option("OUT", options->out, "Model to write")->required()->type_name("");
     command
         ->add_option("--zones", options->zones,
-                     "Signature database: meshes of its gas materials are closed where they are "
-                     "open, so that shells become zones of gas")
+                     "Signature database: open meshes of its gas materials are closed, so that "
+                     "shells become zones of gas")
         ->type_name("FILE.sigdb");
     command->callback([&context, options] {
         context.work = [&context, options] { return convert(*options, context); };

@@ -26,107 +26,110 @@ class DetectionCommand {
           settings_(command, AnalysisKind::polar),
           numbers_(command),
           files_(command) {
-        command.add_option("--sensor", sensor_, "Sensor (.smatsensor) that looks for the target")
+        command
+            .add_option("--sensor", sensor_, "Sensor (.smatsensor) that is to detect the target")
             ->type_name("FILE");
         command
-            .add_option(
-                "--criterion", criterion_,
-                "point: the whole light of the target in one pixel, by --snr; johnson, ttp: "
-                "cycles across its image, by --task and --probability")
+            .add_option("--criterion", criterion_,
+                        "point: all light of the target falls into one pixel, judged by --snr; "
+                        "johnson, ttp: cycles across its image, judged by --task and --probability")
             ->type_name("WORD")
             ->capture_default_str();
-        numbers_.add("--snr", "", "Signal to noise ratio at which a point is detected, 5");
+        numbers_.add("--snr", "",
+                     "Signal to noise ratio at which a point is detected; 5 by default");
         command
             .add_option("--task", task_,
-                        "Of johnson and ttp: detection, recognition or identification, which need "
-                        "0.75, 3 and 6, of ttp 2.7, 14.5 and 18.8 cycles for a probability of 50 %")
+                        "For johnson and ttp: detection, recognition or identification, which need "
+                        "0.75, 3 and 6 cycles (ttp: 2.7, 14.5 and 18.8) for a probability of 50 %")
             ->type_name("WORD")
             ->capture_default_str();
-        numbers_.add("--cycles", "", "In place of a task: its cycles for 50 %");
+        numbers_.add("--cycles", "", "In place of --task: the cycles for a probability of 50 %");
         numbers_.add(
             "--probability", "%",
-            "Of the task, 50; of a point that its signal with noise passes --snr, the mean "
-            "over all places of its image in a pixel");
+            "Probability of the task, 50 by default; for a point, the probability that its signal "
+            "with noise exceeds --snr, averaged over all positions of its image in a pixel");
         command
-            .add_option("--leave-out", leftOut_,
-                        "Of johnson and ttp: a temperature or a material by its name whose "
-                        "surfaces are not counted, such as hot parts and plumes; may be given more "
-                        "than once")
+            .add_option(
+                "--leave-out", leftOut_,
+                "For johnson and ttp: the name of a temperature or material whose surfaces are not "
+                "counted, such as hot parts and plumes; may be given more than once")
             ->type_name("NAME")
             ->expected(1)
             ->take_all();
-        numbers_.add(
-            "--false-alarms", "",
-            "In place of --snr: the probability that noise alone passes the threshold in a "
-            "pixel and a frame, such as 1e-6");
+        numbers_.add("--false-alarms", "",
+                     "In place of --snr: the probability that noise alone exceeds the threshold in "
+                     "one pixel of one frame, such as 1e-6");
         command
             .add_option("--clutter", clutter_,
-                        "Of a point: standard deviation of the background's apparent temperature "
-                        "from pixel to pixel in K, which counts as noise, 0; auto: that of the "
-                        "rendered background beside the target")
+                        "For a point: standard deviation of the background's apparent temperature "
+                        "from pixel to pixel in K, which counts as noise, 0 by default; auto: that "
+                        "of the rendered background beside the target")
             ->type_name("K");
         command
             .add_option("--cases", cases_,
                         "aspects: those of a polar plot; directions: azimuths and elevations of a "
-                        "signature table, by --set table.azimuthStep=30 and the others of table")
+                        "signature table, given by --set table.azimuthStep=30 and the other "
+                        "settings of table")
             ->type_name("WORD")
             ->capture_default_str();
         command
             .add_option("--against", against_,
-                        "A row for each of --values in place of each case, with the mean, least "
-                        "and greatest range of all cases: wind (m/s), visibility (m), humidity "
-                        "(%), hour (local solar time), band (um) or paint")
+                        "One row for each of --values instead of one for each case, with the mean, "
+                        "shortest and longest range of all cases: wind (m/s), visibility (m), "
+                        "humidity (%), hour (local solar time), band (um) or paint")
             ->type_name("WORD");
         command
             .add_option("--values", values_,
-                        "Of --against: numbers, bands such as 3.7-4.2, of paint emissivities or "
-                        "names of materials, separated by commas")
+                        "For --against: numbers, bands such as 3.7-4.2 or, for paint, emissivities "
+                        "or names of materials, separated by commas")
             ->type_name("LIST");
         command
             .add_option("--paint", paint_,
-                        "Of --against paint: the material of the target that is replaced")
+                        "For --against paint: the material of the target that is replaced")
             ->type_name("NAME");
         command
-            .add_option("--sun-of", sunOf_,
-                        "Of --against hour: the day and the place whose sun is seen, such as "
-                        "2025-06-21,54.3,10.1 (latitude and longitude in deg); without it the sun "
-                        "stays")
+            .add_option(
+                "--sun-of", sunOf_,
+                "For --against hour: day and place that give the sun, such as 2025-06-21,54.3,10.1 "
+                "(latitude and longitude in deg); without it the sun does not move")
             ->type_name("DATE,LAT,LON");
         command
             .add_option("--ranges", ranges_,
-                        "In place of the search of a range: the probability at these ranges in m, "
-                        "separated by commas, the mean over the aspects")
+                        "Instead of searching for a range: the probability at these ranges in m, "
+                        "separated by commas, averaged over the aspects")
             ->type_name("m");
         numbers_.add("--draws", "",
-                     "With --ranges: draws of the scaling files beside the models, over which the "
-                     "mean is taken as well, 0");
+                     "With --ranges: draws from the scaling files beside the models, over which "
+                     "the probability is averaged as well; 0 by default");
         command.add_flag("--sensitivity", sensitivity_,
                          "Adds the relative change of the range per relative change of each number "
                          "of the sensor, of the extinction, and of temperatures and emissivities "
                          "of the target");
         numbers_.add("--scene-contrast", "K",
-                     "Of ttp: temperature difference that the display shows from black to white, "
-                     "10");
+                     "For ttp: temperature difference that the display shows from black to white, "
+                     "10 by default");
         numbers_.add("--display-pixel", "mrad",
-                     "Of ttp: a pixel of the sensor on the display as the observer sees it, 0.8");
-        numbers_.add("--display-luminance", "cd/m2", "Of ttp: mean luminance of the display, 34");
-        numbers_.add("--nearest", "m", "Where the search begins, 100");
-        numbers_.add("--farthest", "m", "Where it ends, 1000000");
-        numbers_.add("--looks", "",
-                     "Ranges per decade at which the ratio is looked at where it may cross the "
-                     "threshold, 4; more find crossings that lie closer");
+                     "For ttp: angle at which the observer sees one pixel of the sensor on the "
+                     "display, 0.8 by default");
+        numbers_.add("--display-luminance", "cd/m2",
+                     "For ttp: mean luminance of the display, 34 by default");
+        numbers_.add("--nearest", "m", "Range at which the search begins, 100 by default");
+        numbers_.add("--farthest", "m", "Range at which it ends, 1000000 by default");
         numbers_.add(
-            "--background-temperature", "K",
-            "Temperature of the background whose photons cause noise; when not given that of the "
-            "scene behind the target");
+            "--looks", "",
+            "Ranges per decade at which the ratio is computed where it may cross the threshold, 4 "
+            "by default; more of them find crossings that lie closer together");
+        numbers_.add("--background-temperature", "K",
+                     "Temperature of the background whose photons cause noise; by default that of "
+                     "the scene behind the target");
         command
             .add_option("--point", place_,
                         "Where the image of the target lies on a pixel: centre, mean or corner")
             ->type_name("WORD")
             ->capture_default_str();
         addDryRun(command, dryRun_);
-        command.footer("Columns: where the case is, the detection range with its error, what was "
-                       "found, and signal and noise at that range (docs/sensor.md).");
+        command.footer("Columns: the case, the detection range with its error, what was found, and "
+                       "signal and noise at that range (docs/sensor.md).");
     }
 
     int run(Context& context) const {
@@ -293,7 +296,7 @@ class DetectionCommand {
 
 void addDetectionCommand(CLI::App& app, Context& context) {
     addCommand<DetectionCommand>(app, context, "detection",
-                                 "How far a sensor sees the target, over one turn or all "
+                                 "Range at which a sensor detects the target, over one turn or all "
                                  "directions, or against wind, hour, band or paint");
 }
 

@@ -24,32 +24,35 @@ class GasCommand {
         const auto several = [](CLI::Option* option, const char* type) {
             option->type_name(type)->expected(1)->take_all();
         };
-        several(command.add_option("--layer", layers_,
-                                   "A uniform layer, T_K=700,p_atm=1,length_m=0.5 with mole "
-                                   "fractions CO2, H2O, CO, CH4, O2 and soot_ppmv, the rest is "
-                                   "nitrogen; may be given more than once, in order from the "
-                                   "sensor"),
-                "LAYER");
+        several(
+            command.add_option("--layer", layers_,
+                               "A uniform layer: T_K=700,p_atm=1,length_m=0.5 with the mole "
+                               "fractions CO2, H2O, CO, CH4 and O2, and soot_ppmv; the rest is "
+                               "nitrogen. May be given more than once, in order from the sensor"),
+            "LAYER");
         command.add_option("--band", band_, "Spectral band MIN-MAX")
             ->type_name("um")
             ->capture_default_str();
-        numbers_.add("--step", "cm-1", "Width of the spectral cells, 1 to 100; 5 when not given");
+        numbers_.add("--step", "cm-1", "Width of the spectral cells, 1 to 100; 5 by default");
         command
             .add_option("--source", source_,
-                        oneOf(sourceWords(), "") + ": whose numbers say how a gas absorbs")
+                        oneOf(sourceWords(), "") + ": source of the absorption of each gas")
             ->type_name("WORD")
             ->capture_default_str();
-        numbers_.add("--background-temperature", "K",
-                     "Of a black body behind the layers; none when not given");
+        numbers_.add(
+            "--background-temperature", "K",
+            "Temperature of a black body behind the layers; without it nothing radiates there");
         several(command.add_option("--atmosphere", atmosphere_,
                                    "Atmosphere or Environment file between gas and sensor; of "
-                                   "several the first that covers the band is used"),
+                                   "several, the first that covers the band is used"),
                 "FILE");
-        numbers_.add("--altitude", "m", "Of the gas, with --atmosphere");
-        numbers_.add("--range", "m", "From sensor to gas, with --atmosphere");
-        numbers_.add("--sensor-altitude", "m", "With --atmosphere; that of the gas when not given");
-        command.footer("Transmittance and radiance of layers of hot gas: spectrum, band radiance, "
-                       "what each gas adds, the source of each and its stated error.");
+        numbers_.add("--altitude", "m", "Altitude of the gas, with --atmosphere");
+        numbers_.add("--range", "m", "Range from sensor to gas, with --atmosphere");
+        numbers_.add("--sensor-altitude", "m",
+                     "Altitude of the sensor, with --atmosphere; that of the gas by default");
+        command.footer(
+            "Transmittance and radiance of layers of hot gas: the spectrum, the band radiance, "
+            "what each gas adds to it, and the source of each gas with its stated error.");
     }
 
     int run(Context& context) const {

@@ -25,34 +25,34 @@ class PlumeCommand {
     explicit PlumeCommand(CLI::App& command) : numbers_(command) {
         command
             .add_option("TABLE", table_,
-                        "CSV with the columns x [m], r [m], T [K] of a plume about an axis, or "
-                        "x [m], y [m], z [m], T [K] of points in space, and of p [atm], CO2, H2O, "
-                        "CO, CH4, O2, soot [ppmv] those that there are; or --jet")
+                        "CSV with the columns x [m], r [m], T [K] of a plume about an axis, or x "
+                        "[m], y [m], z [m], T [K] of points in space, and any of p [atm], CO2, "
+                        "H2O, CO, CH4, O2, soot [ppmv]; or --jet")
             ->type_name("");
         command
-            .add_option("--jet", jet_,
-                        "In place of a table, the exhaust of a nozzle as a round turbulent jet: "
-                        "D_m=0.3,T_K=800,velocity_m_s=200,fuel_air=0.02 and of air_K, coflow_m_s, "
-                        "p_atm, carbon, hydrogen, air_H2O, air_CO2, soot_ppmv, ends_at those that "
-                        "are not as usual; with up_deg, its elevation over the horizon, its heat "
-                        "lifts it, with wind_m_s and wind_from_deg (0 from ahead, 90 from "
-                        "starboard) a wind bends it")
+            .add_option(
+                "--jet", jet_,
+                "In place of a table, the exhaust of a nozzle as a round turbulent jet: "
+                "D_m=0.3,T_K=800,velocity_m_s=200,fuel_air=0.02 and any of air_K, coflow_m_s, "
+                "p_atm, carbon, hydrogen, air_H2O, air_CO2, soot_ppmv, ends_at that differ from "
+                "their defaults. With up_deg, the elevation of its axis, buoyancy lifts it; with "
+                "wind_m_s and wind_from_deg (0 from ahead, 90 from starboard), wind bends it")
             ->type_name("KEY=NUMBER,...");
         command.add_option("--out", out_, "Model to write, with its codes and its database")
             ->type_name("FILE.obj");
-        command.add_option("--band", band_, "Spectral band MIN-MAX of the bound")
+        command.add_option("--band", band_, "Spectral band MIN-MAX in which the bound holds")
             ->type_name("um")
             ->capture_default_str();
         numbers_.add("--bound", "",
-                     "Error of the radiant intensity, relative; 0.01 when not given");
-        numbers_.add("--most-zones", "", "Zones at most, 1 to 40; 16 when not given");
+                     "Bound of the relative error of the radiant intensity; 0.01 by default");
+        numbers_.add("--most-zones", "", "Greatest number of zones, 1 to 40; 16 by default");
         numbers_.add("--first-index", "",
-                     "Temperature and material index of the outermost zone; 1 when not given");
-        command.footer("Makes zones of gas from a plume: a model, its codes and its signature "
-                       "database, so many zones that the radiant intensity from beside, from the "
-                       "quarter and from behind, of a plume in space from above as well, is within "
-                       "the bound. The nozzle is at the origin, x goes downstream to the tail, y "
-                       "to starboard, z up.");
+                     "Temperature and material index of the outermost zone; 1 by default");
+        command.footer(
+            "Makes zones of gas from a plume: a model, its codes and its signature database. There "
+            "are as many zones as it takes to keep the radiant intensity within the bound from "
+            "beside, from the quarter and from behind; for points in space from above as well. The "
+            "nozzle is at the origin; x points downstream, to the tail, y to starboard, z up.");
     }
 
     int run(Context& context) const {
@@ -98,8 +98,8 @@ class PlumeCommand {
         constexpr double largest = 0.5; // one zone of all gas, as long as the cold end, is within 1
         if (!(request.bound > 0.0 && request.bound <= largest))
             diagnostics.push_back({"--bound", "", irsg::numberText(request.bound),
-                                   "a part of the radiant intensity above 0, up to 0.5: beyond it "
-                                   "one zone as long as the cold end would stand for all"});
+                                   "a fraction of the radiant intensity above 0, at most 0.5: with "
+                                   "a larger one a single zone up to the cold end would do"});
         irsg::collect(diagnostics,
                       [&] { numbers_.takeWhole("--most-zones", request.most, 1.0, 40.0); });
         irsg::collect(diagnostics,

@@ -15,9 +15,11 @@ namespace smat::batch {
 namespace {
 
 void addObserver(NumberOptions& numbers) {
-    numbers.add("--background-temperature", "K", "Of the background that fills the field, 300");
-    numbers.add("--threshold", "", "Perceived signal to noise ratio at which bars are seen, 2.5");
-    numbers.add("--eye-time", "s", "Time over which the eye takes the mean of frames, 0.2");
+    numbers.add("--background-temperature", "K",
+                "Temperature of the background that fills the field, 300 by default");
+    numbers.add("--threshold", "",
+                "Perceived signal to noise ratio at which bars are visible, 2.5 by default");
+    numbers.add("--eye-time", "s", "Time over which the eye averages frames, 0.2 by default");
 }
 
 irsg::Observer observerOf(const NumberOptions& numbers) {
@@ -38,11 +40,11 @@ class SensorInfoCommand {
     explicit SensorInfoCommand(CLI::App& command) : numbers_(command) {
         command.add_option("FILE", file_, "Sensor (.smatsensor)")->required()->type_name("");
         numbers_.add("--background-temperature", "K",
-                     "Of the background that fills the field, 300");
+                     "Temperature of the background that fills the field, 300 by default");
         numbers_.add("--temperature-difference", "K",
-                     "Of an area before it, for its signal to noise ratio");
+                     "Temperature of an area in front of it, for its signal to noise ratio");
         numbers_.add("--point-irradiance", "W m-2",
-                     "Of a point on the pupil in the band, the same");
+                     "Irradiance of a point on the pupil in the band, for the same");
     }
 
     int run(Context& context) const {
@@ -53,8 +55,9 @@ class SensorInfoCommand {
         request.pointIrradiance_W_m2 = numbers_.value("--point-irradiance").value_or(0.0);
         const auto json = sensorNumbersJson(irsg::loadSensor(file_), request);
         if (json.at("well_fill").get<double>() >= 1.0)
-            warn(file_ + ": pixels are full before this background; its numbers are those of a "
-                         "larger well");
+            warn(
+                file_ +
+                ": pixels saturate before this background; the numbers are those of a larger well");
         if (!std::isfinite(json.at("netd_K").get<double>()))
             warn(file_ + ": this background radiates nothing in the sensor's band: the NETD is "
                          "infinite");
@@ -84,8 +87,9 @@ class SensorTransferCommand {
                         "horizontal, along the rows, or vertical, along the columns")
             ->type_name("WORD")
             ->capture_default_str();
-        numbers_.add("--source-temperature", "K",
-                     "Black body whose spectrum weighs the wavelengths, 300");
+        numbers_.add(
+            "--source-temperature", "K",
+            "Temperature of the black body whose spectrum weights the wavelengths, 300 by default");
         command.footer("Columns: frequency, one for each component, and their product, system.");
     }
 
@@ -120,9 +124,9 @@ class SensorResolvableCommand {
                         "Spatial frequencies, separated by commas: 500,1000")
             ->type_name("cycles/rad");
         addObserver(numbers_);
-        command.footer("Columns: frequency, the minimum resolvable temperature difference along "
-                       "rows and columns and of both together; the convention stands in "
-                       "docs/sensor.md.");
+        command.footer(
+            "Columns: frequency, and the minimum resolvable temperature difference along rows, "
+            "along columns and for both together; docs/sensor.md explains the convention.");
     }
 
     int run(Context& context) const {
@@ -148,8 +152,9 @@ class SensorRangeCommand {
     explicit SensorRangeCommand(CLI::App& command) : numbers_(command), files_(command) {
         command.add_option("FILE", file_, "Sensor (.smatsensor)")->required()->type_name("");
         command
-            .add_option("--extinctions", extinctions_,
-                        "Of the atmosphere, separated by commas: good and limited visibility")
+            .add_option(
+                "--extinctions", extinctions_,
+                "Extinction of the atmosphere, separated by commas: good and limited visibility")
             ->type_name("1/km")
             ->capture_default_str();
         numbers_.add("--temperature-difference", "K", "Of the target, 2");
@@ -184,8 +189,8 @@ class SensorRangeCommand {
 } // namespace
 
 void addSensorCommand(CLI::App& app, Context& context) {
-    CLI::App* command = app.add_subcommand(
-        "sensor", "What a sensor makes of radiance: numbers, transfer functions");
+    CLI::App* command =
+        app.add_subcommand("sensor", "Numbers, transfer functions and ranges of a sensor");
     command->require_subcommand(1);
     addCommand<SensorInfoCommand>(*command, context, "info",
                                   "Signal, noise and sensitivity before a background");

@@ -114,11 +114,11 @@ QWidget* DetectionPage::makeCriterionBox(QWidget* parent) {
     falseAlarms_ = boxOf("falseAlarms", {}, {-12.0, -0.31, -6.0, 2}, box);
     falseAlarms_->setPrefix(tr("10^"));
     falseAlarms_->setToolTip(
-        tr("Probability that noise alone passes the threshold in a pixel and a frame"));
+        tr("Probability that noise alone exceeds the threshold in one pixel of one frame"));
     pointProbability_ = boxOf("pointProbability", "%", {0.0, 99.9, 0.0, 1}, box);
     pointProbability_->setSpecialValueText(tr("not required"));
     pointProbability_->setToolTip(
-        tr("Probability that the signal with its noise passes the threshold, averaged over all "
+        tr("Probability that the signal with its noise exceeds the threshold, averaged over all "
            "positions of the image within a pixel"));
     clutterBy_ = new QComboBox(box);
     clutterBy_->setObjectName("clutterBy");
@@ -193,7 +193,8 @@ QWidget* DetectionPage::makeRight() {
     summary_->setObjectName("summary");
     summary_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     summary_->setContentsMargins(12, 6, 12, 8);
-    summary_->setText(tr("Run shows here the range at which the sensor just detects the target."));
+    summary_->setText(
+        tr("After a run, the range at which the sensor just detects the target is shown here."));
     column->addWidget(plot_, 1);
     column->addWidget(new NotesArea(summary_, 110, right));
     return right;

@@ -344,7 +344,7 @@ class Project:
         Parameters
         ----------
         sensor : SensorDescription
-            What looks for the target.
+            What is to detect the target.
         criterion : {'point', 'johnson', 'ttp'}
             By the signal to noise ratio of the target as a point, or by cycles across it.
         snr : float, optional

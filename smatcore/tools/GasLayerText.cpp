@@ -19,7 +19,7 @@ const std::vector<GasLayerField>& gasLayerFields() {
         {.key = "T_K",
          .label = "Temperature",
          .unit = "K",
-         .help = "The same all through the layer",
+         .help = "Uniform in the layer",
          .step = 10.0,
          .isNeeded = true,
          .of = [](GasLayer& l) -> double& { return l.temperature_K; }},

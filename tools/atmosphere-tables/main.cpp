@@ -22,7 +22,7 @@ int main(int argc, char** argv) {
     const std::vector<std::string> onlyIfNamed = {"truth", "study", "plumes", "hotgas",
                                                   "hotgas-samples"};
 
-    CLI::App app{"Computes the atmosphere's tables from public data."};
+    CLI::App app{"Computes the tables of the atmosphere from public data."};
     Folders folders;
     std::vector<std::string> wanted;
     app.add_option("kinds", wanted,
@@ -32,15 +32,14 @@ int main(int argc, char** argv) {
     app.add_option("--data", folders.data,
                    "folder with lines/, lowtran/, continuum/, profiles/, solar/")
         ->required();
-    app.add_option("--out", folders.out, "where the tables go; of plumes, the folder samples")
+    app.add_option("--out", folders.out, "output folder; for plumes, the folder samples")
         ->required();
-    app.add_option(
-        "--renew", folders.renew_per_cm,
-        "of gases, FROM TO in cm-1, as often as needed: compute the pieces of 60 cm-1 that "
-        "touch this range and keep the others of the table in the folder");
+    app.add_option("--renew", folders.renew_per_cm,
+                   "for gases, FROM TO in cm-1, may be repeated: computes the pieces of 60 cm-1 "
+                   "that touch this range and keeps the others of the table in the folder");
     app.add_option("--measure", folders.measure_per_cm,
-                   "of gases, FROM TO in cm-1, as often as needed: compute the errors of the "
-                   "pieces that touch this range, which its header tells, and keep the pieces");
+                   "for gases, FROM TO in cm-1, may be repeated: computes the errors of the pieces "
+                   "that touch this range, which the header states, and keeps the pieces");
     CLI11_PARSE(app, argc, argv);
 
     try {

@@ -20,12 +20,11 @@ int run(int argc, char** argv, smat::batch::MpiTeam& team) {
     context.team = &team;
     if (!team.isLeader())
         context.speaker = fmt::format("rank {}: ", team.rank());
-    return smat::batch::runProgram(
-        {"smat-batch-mpi",
-         "Sweeps of smat-batch, drawn by all ranks of an MPI job: mpirun -n 4 smat-batch-mpi table "
-         "PROJECT --out FILE.",
-         addCommands},
-        argc, argv, context);
+    return smat::batch::runProgram({"smat-batch-mpi",
+                                    "Runs sweeps of smat-batch on all ranks of an MPI job: mpirun "
+                                    "-n 4 smat-batch-mpi table PROJECT --out FILE.",
+                                    addCommands},
+                                   argc, argv, context);
 }
 
 } // namespace

@@ -73,7 +73,7 @@ std::vector<Polygon> openingsOf(const std::vector<Polygon>& polygons, const std:
         else if (count == -1)
             next.emplace(ends.first, ends.second);
         else if (count != 0)
-            refuse("faces that are turned over beside each other");
+            refuse("neighbouring faces that are turned to opposite sides");
     std::vector<Polygon> openings;
     while (!next.empty()) {
         std::vector<int> opening;

@@ -10,7 +10,7 @@ namespace smat {
 extern constinit const AnalysisDefinition radiativeTool{
     .name = "radiative",
     .title = "Radiative output",
-    .help = "Spectra of the air: transmittance, radiances, sun and fluxes",
+    .help = "Spectra of the atmosphere: transmittance, radiances, sun and fluxes",
     .icon = "radiative",
     .form = AnalysisForm::table};
 
@@ -45,22 +45,23 @@ extern constinit const AnalysisDefinition simulationTool{
 extern constinit const AnalysisDefinition detectionTool{
     .name = "detection",
     .title = "Detection range",
-    .help = "How far a sensor sees the target, over one turn or all directions, or against wind, "
-            "hour, band or paint",
+    .help = "Range at which a sensor detects the target, over one turn or all directions, or "
+            "against wind, hour, band or paint",
     .icon = "sensor",
     .form = AnalysisForm::table};
 
 extern constinit const AnalysisDefinition sensorTool{
     .name = "sensor",
     .title = "Sensor chain",
-    .help = "The stages of a sensor: transfer functions, noise, and a picture behind each",
+    .help = "The stages of a sensor: transfer functions, noise, and the picture behind each",
     .icon = "sensor-chain",
     .form = AnalysisForm::table};
 
 extern constinit const AnalysisDefinition frontierTool{
     .name = "cost-accuracy",
     .title = "Time against error",
-    .help = "One view in every mode of antialiasing, air, background and light: time against error",
+    .help = "One view in every mode of antialiasing, atmosphere, background and inter-reflection: "
+            "time against error",
     .icon = "frontier",
     .form = AnalysisForm::table,
     .formerName = "frontier"};
