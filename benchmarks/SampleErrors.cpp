@@ -102,6 +102,7 @@ void judgeSamples(int aspects, const std::string& only) {
     // Sensors above the sea or ground that models stand on.
     const SampleViews samples[] = {{"turboprop4", {-20, 0, 12, 45}, {900, 2500, 10000}},
                                    {"heron", {-10, 0, 14, 45}, {120, 1000, 5000}},
+                                   {"tern", {-15, 0, 12, 45}, {150, 1000, 6000}},
                                    {"corvette", {1, 4.2, 15, 45}, {230, 1500, 6000}},
                                    {"ship", {1, 8, 20, 45}, {400, 1500, 8000}},
                                    {"box", {-30, 0, 30, 60}, {300, 1000, 5000}},

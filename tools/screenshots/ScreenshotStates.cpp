@@ -110,6 +110,24 @@ QStringList ScreenshotTaker::takeFirstSteps() {
     return told_;
 }
 
+QStringList ScreenshotTaker::takeSpectra() {
+    std::filesystem::create_directories(folder_);
+    window_.resize(1360, 840);
+    window_.show();
+    if (!window_.open(project_))
+        return told_;
+    settle();
+    const auto database = workbench_.database().snapshot();
+    if (auto* pages = raiseDatabase(); pages == nullptr || !database || database->spectra.empty())
+        told_ << "no spectrum is there to be shown";
+    else
+        for (int i = 0; i < pages->count(); ++i)
+            if (pages->tabText(i).remove('&').startsWith("Spectr"))
+                keepTab(*pages, i);
+    window_.close();
+    return told_;
+}
+
 QStringList ScreenshotTaker::takeWithoutGl() {
     std::filesystem::create_directories(folder_);
     window_.resize(1360, 840);

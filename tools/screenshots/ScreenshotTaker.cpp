@@ -209,31 +209,41 @@ void ScreenshotTaker::keepPage(const QString& name) {
     }
 }
 
-void ScreenshotTaker::keepDatabase() {
+QTabWidget* ScreenshotTaker::raiseDatabase() {
     auto* dock = window_.findChild<QDockWidget*>("databaseDock");
     if (dock == nullptr)
-        return;
+        return nullptr;
     dock->show();
     dock->raise();
     settle();
-    auto* pages = dock->findChild<QTabWidget*>("databaseTabs");
-    for (int i = 0; i < pages->count(); ++i) {
-        pages->setCurrentIndex(i);
-        settle();
-        const QString name =
-            "database-" + pages->tabText(i).remove('&').section(' ', 0, 0).toLower();
-        keep(window_, name);
-        for (auto* tabs : pages->currentWidget()->findChildren<QTabWidget*>()) {
-            for (int k = 1; k < tabs->count(); ++k) {
-                if (!tabs->isTabVisible(k))
-                    continue;
-                tabs->setCurrentIndex(k);
-                settle();
-                keep(window_, name + "-" + QString::number(k + 1));
-            }
-            tabs->setCurrentIndex(0);
+    return dock->findChild<QTabWidget*>("databaseTabs");
+}
+
+void ScreenshotTaker::keepTab(QTabWidget& pages, int number) {
+    pages.setCurrentIndex(number);
+    settle();
+    const QString name =
+        "database-" + pages.tabText(number).remove('&').section(' ', 0, 0).toLower();
+    keep(window_, name);
+    for (auto* tabs : pages.currentWidget()->findChildren<QTabWidget*>()) {
+        for (int k = 1; k < tabs->count(); ++k) {
+            if (!tabs->isTabVisible(k))
+                continue;
+            tabs->setCurrentIndex(k);
+            settle();
+            keep(window_, name + "-" + QString::number(k + 1));
         }
+        tabs->setCurrentIndex(0);
     }
+}
+
+void ScreenshotTaker::keepDatabase() {
+    auto* pages = raiseDatabase();
+    if (pages == nullptr)
+        return;
+    for (int i = 0; i < pages->count(); ++i)
+        keepTab(*pages, i);
+    auto* dock = window_.findChild<QDockWidget*>("databaseDock");
     // As a window of its own it has its entries beside their list.
     pages->setCurrentIndex(0);
     dock->setFloating(true);

@@ -9,6 +9,8 @@
 #include "gui/MainWindow.h"
 #include "gui/widgets/Dialogs.h"
 
+class QTabWidget;
+
 namespace smat::gui {
 
 /// Goes through a workbench as a person would, menu by menu, and keeps a picture of each window and
@@ -25,6 +27,8 @@ class ScreenshotTaker {
     /// Those of the guide's first chapter: the window, the infrared display, the database, a polar
     /// plot. Returns the same.
     QStringList takeFirstSteps();
+    /// The editor's tab of spectra, of a project whose database has some. Returns the same.
+    QStringList takeSpectra();
     /// The main window alone, where the display has no OpenGL. Returns the same.
     QStringList takeWithoutGl();
 
@@ -45,8 +49,11 @@ class ScreenshotTaker {
     void showAs(QAction& action);
     /// Gives a page that was just opened something to show.
     void fill(QWidget* page);
-    /// Every tab of the editor of signature databases.
+    /// The editor of signature databases in front, its tabs.
+    QTabWidget* raiseDatabase();
+    /// Every tab of it.
     void keepDatabase();
+    void keepTab(QTabWidget& pages, int number);
     // ScreenshotPages.cpp
     /// All but the view's.
     void closeTabs();

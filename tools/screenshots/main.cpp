@@ -1,6 +1,6 @@
 // smat-screenshots --out FOLDER --project FILE [--image FILE FILE] [--wanted NAME...]
-// [--dark] [--without-gl | --first-steps] keeps a picture of every window and dialog of the
-// workbench. It needs a display; scripts/screenshots gives it one.
+// [--dark] [--without-gl | --first-steps | --spectra] keeps a picture of every window and dialog of
+// the workbench. It needs a display; scripts/screenshots gives it one.
 
 #include <filesystem>
 #include <iostream>
@@ -18,7 +18,7 @@ int main(int argc, char** argv) {
     CLI::App cli{"Keeps a picture of every window and dialog of the workbench"};
     std::filesystem::path folder, project;
     std::vector<std::string> images, wanted;
-    bool dark = false, withoutGl = false, firstSteps = false;
+    bool dark = false, withoutGl = false, firstSteps = false, spectra = false;
     cli.add_option("--out", folder, "Folder for the pictures")->required();
     cli.add_option("--project", project, "Project that is open in them")
         ->required()
@@ -30,6 +30,7 @@ int main(int argc, char** argv) {
     cli.add_flag("--dark", dark, "In dark colours");
     cli.add_flag("--without-gl", withoutGl, "Only the main window, on a display without OpenGL");
     cli.add_flag("--first-steps", firstSteps, "Only those of the guide's first chapter");
+    cli.add_flag("--spectra", spectra, "Only the tab of spectra of the editor of databases");
     CLI11_PARSE(cli, argc, argv);
 
     // Nothing of the user's own preferences shows in the pictures or is changed by them.
@@ -47,6 +48,7 @@ int main(int argc, char** argv) {
     smat::gui::ScreenshotTaker screenshotTaker(folder, project, names, pictures);
     const QStringList problems = withoutGl    ? screenshotTaker.takeWithoutGl()
                                  : firstSteps ? screenshotTaker.takeFirstSteps()
+                                 : spectra    ? screenshotTaker.takeSpectra()
                                               : screenshotTaker.takeAll();
     for (const QString& problem : problems)
         std::cerr << "smat-screenshots: " << problem.toStdString() << '\n';
