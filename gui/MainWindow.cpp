@@ -168,8 +168,6 @@ void MainWindow::makeDocks() {
         keepKeysFromHiddenTab(*dock);
     files_->addSettler([this] { return databaseDock_->files().mayCloseAll(); });
     resizeDocks({tree_, manipulators}, {310, 410}, Qt::Vertical);
-    constexpr int usualLeft_px = 316; // all fields in their rows; a small screen has less
-    resizeDocks({tree_, manipulators}, {usualLeft_px, usualLeft_px}, Qt::Horizontal);
 
     joinTreeAndEditor();
     if (view_ != nullptr) {

@@ -34,6 +34,17 @@ namespace {
 
 constexpr int sliderSteps = 3600; ///< a tenth of a degree over a turn
 constexpr int leastWidth_px = 236;
+/// With all buttons in one row.
+constexpr int usualWidth_px = 302;
+
+class FieldsArea : public QScrollArea {
+  public:
+    using QScrollArea::QScrollArea;
+    QSize sizeHint() const override {
+        return {usualWidth_px + style()->pixelMetric(QStyle::PM_ScrollBarExtent),
+                QScrollArea::sizeHint().height()};
+    }
+};
 
 QLabel* heading(const QString& text, QWidget* parent) {
     auto* label = new QLabel(text, parent);
@@ -88,7 +99,7 @@ ManipulatorsDock::ManipulatorsDock(Workbench& workbench, QWidget* parent)
     column->addWidget(others_);
     column->addStretch(1);
     body->setEnabled(false);
-    auto* scroll = new QScrollArea(this);
+    auto* scroll = new FieldsArea(this);
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setWidgetResizable(true);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
