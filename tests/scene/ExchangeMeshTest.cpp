@@ -317,6 +317,12 @@ TEST_F(ExchangeMeshTest, NodesOfManySendTogetherWithTheirOwnSide) {
     const ExchangeNodes few(std::shared_ptr<const ExchangeMesh>(meshOf(cabin)),
                             {.fewSenders = 100'000});
     EXPECT_EQ(few.senders(), few.nodes());
+    // No fewer than are allowed where little would do.
+    resolution.fewSenders = nodes.nodes() * 3 / 4;
+    const ExchangeNodes some(std::shared_ptr<const ExchangeMesh>(meshOf(cabin)), resolution);
+    EXPECT_EQ(some.nodes(), nodes.nodes());
+    EXPECT_LE(some.senders(), resolution.fewSenders);
+    EXPECT_GT(some.senders(), nodes.senders());
 }
 
 TEST_F(ExchangeMeshTest, SmoothingKeepsWhatIsTheSameEverywhereAndSumsOverSurfaces) {
@@ -337,6 +343,47 @@ TEST_F(ExchangeMeshTest, SmoothingKeepsWhatIsTheSameEverywhereAndSumsOverSurface
     for (std::uint32_t n = 0; n < nodes.nodes(); ++n) {
         EXPECT_NEAR(received_m2[n], nodes.areaOf_m2(n), 1e-5 * nodes.areaOf_m2(n) + 1e-9);
     }
+}
+
+TEST_F(ExchangeMeshTest, SmoothingIsTheProductOfWhatIsBetweenNodes) {
+    // Values at nodes are linear over cells between their means at corners. Of two such functions,
+    // which are random here, the integral of the product is that of node values and means.
+    const Triangles room = joined(boxMesh({1, 2, 3}, std::vector<IrCodes>(6, {1, 1})),
+                                  sphereMesh(0.5, 12, 24, {2, 2}));
+    const ExchangeNodes nodes(std::shared_ptr<const ExchangeMesh>(meshOf(room)), {});
+    const auto valueOf = [](std::uint32_t node, std::size_t which) {
+        return std::sin(12.9898 * node + 78.233 * static_cast<double>(which));
+    };
+    double integral = 0.0;
+    for (std::uint32_t cell = 0; cell < nodes.mesh().cells(); ++cell) {
+        std::array<std::array<double, 3>, 2> at{};
+        for (std::size_t c = 0; c < 3; ++c) {
+            for (const ExchangeNodes::Share& share :
+                 nodes.sharesOf(nodes.mesh().corners(cell)[c])) {
+                for (std::size_t which = 0; which < 2; ++which) {
+                    at[which][c] += static_cast<double>(share.part) * valueOf(share.node, which);
+                }
+            }
+        }
+        for (std::size_t c = 0; c < 3; ++c) { // middles of edges: exact for products
+            const std::size_t next = (c + 1) % 3;
+            integral += nodes.mesh().area_m2(cell) / 3.0 * 0.25 * (at[0][c] + at[0][next]) *
+                        (at[1][c] + at[1][next]);
+        }
+    }
+    double sum = 0.0;
+    for (std::uint32_t n = 0; n < nodes.nodes(); ++n) {
+        const auto [first, last] = nodes.smoothing().of(n);
+        for (const LightPair* pair = first; pair != last; ++pair) {
+            sum += nodes.areaOf_m2(n) * valueOf(n, 0) * static_cast<double>(pair->factor) *
+                   valueOf(pair->sender, 1);
+        }
+    }
+    double area_m2 = 0.0;
+    for (std::uint32_t n = 0; n < nodes.nodes(); ++n) {
+        area_m2 += nodes.areaOf_m2(n);
+    }
+    EXPECT_NEAR(sum, integral, 1e-6 * area_m2);
 }
 
 TEST_F(ExchangeMeshTest, WhatABodyHidesOfAnotherIsASurfaceOfItsOwn) {

@@ -218,16 +218,20 @@ TEST_F(TurnedBodies, LoseSkyAndGroundAsTheyTurn) {
     const LightExchange level = exchangeOf({body.at(0, {0, 0, 500}, 0.0, 0)}, {body.light});
     const LightExchange over = exchangeOf({body.at(0, {0, 0, 500}, 2.5 * pi, 0)}, {body.light});
     double sky = 0.0, ground = 0.0, whole = 0.0, overSky = 0.0, overGround = 0.0;
-    for (std::size_t r = 0; r < level.receivers(); ++r) {
+    double lost_m2 = 0.0, whole_m2 = 0.0;
+    for (std::uint32_t r = 0; r < level.receivers(); ++r) {
         sky += level.loss(r).sky;
         ground += level.loss(r).ground;
         overSky += over.loss(r).sky;
         overGround += over.loss(r).ground;
         whole += level.seen(r);
+        const double area_m2 = body.light->nodes().areaOf_m2(r);
+        lost_m2 += area_m2 * (level.loss(r).sky + level.loss(r).ground);
+        whole_m2 += area_m2 * level.seen(r);
     }
     // What is before a surface is before it however the body turns; a roll by half a turn makes
     // ground of sky.
-    EXPECT_NEAR(sky + ground, whole, 2e-3 * whole);
+    EXPECT_NEAR(lost_m2, whole_m2, 1e-4 * whole_m2);
     EXPECT_NEAR(overSky, ground, 2e-3 * whole);
     EXPECT_NEAR(overGround, sky, 2e-3 * whole);
     EXPECT_GT(std::abs(sky - ground), 0.02 * whole);

@@ -245,6 +245,8 @@ void BodyLight::refine(std::vector<Sending>& sendings, const Uses& uses, double 
 std::vector<std::uint32_t> BodyLight::fewestOf(const std::vector<std::uint32_t>& active) const {
     constexpr double smallPiece = 0.01; // of all that sees anything
     constexpr std::size_t raysOfFew = 500'000, mostOfFew = 1024;
+    // So many cost little beside all others: a few small ones may send more of them.
+    constexpr std::size_t raysOfFewSmall = 16'384;
     std::vector<double> ofPiece_m2(mesh().rays().pieces());
     double all_m2 = 0.0;
     for (const std::uint32_t patch : active) {
@@ -256,16 +258,18 @@ std::vector<std::uint32_t> BodyLight::fewestOf(const std::vector<std::uint32_t>&
                ofPiece_m2[static_cast<std::size_t>(nodes_->pieceOf(patch))] < smallPiece * all_m2;
     };
     const auto small = static_cast<std::size_t>(std::ranges::count_if(active, isSmall));
-    const auto shareOf = [&](std::size_t rays, std::size_t patches) {
-        return static_cast<std::uint32_t>(std::bit_floor(std::clamp<std::size_t>(
-            rays / std::max<std::size_t>(patches, 1), fewestRays, mostOfFew)));
+    const auto shareOf = [&](std::size_t rays, std::size_t patches, std::size_t most) {
+        return static_cast<std::uint32_t>(std::bit_floor(
+            std::clamp<std::size_t>(rays / std::max<std::size_t>(patches, 1), fewestRays, most)));
     };
-    std::vector<std::uint32_t> fewest(nodes_->nodes(), shareOf(raysOfFew, active.size()));
+    std::vector<std::uint32_t> fewest(nodes_->nodes(),
+                                      shareOf(raysOfFew, active.size(), mostOfFew));
     for (const std::uint32_t patch : active)
         if (nodes_->isInside(patch))
             fewest[patch] = fewestInside;
         else if (isSmall(patch))
-            fewest[patch] = std::max(fewest[patch], shareOf(raysOfFew, small));
+            fewest[patch] = std::max({fewest[patch], shareOf(raysOfFew, small, mostOfFew),
+                                      shareOf(raysOfFewSmall, small, raysOfFewSmall)});
     return fewest;
 }
 

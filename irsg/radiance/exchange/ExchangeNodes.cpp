@@ -116,11 +116,13 @@ ExchangeNodes::ExchangeNodes(std::shared_ptr<const ExchangeMesh> mesh,
 }
 
 void ExchangeNodes::findSmoothing() {
-    std::vector<double> around_m2(mesh_->vertices().size());
+    // What is linear over a cell of area A has A/12 (d + 1) between two corners, d at one and the
+    // same: a part of what is around each vertex, and the rest over the cell as a whole.
+    std::vector<double> quarter_m2(mesh_->vertices().size());
     for (std::uint32_t cell = 0; cell < mesh_->cells(); ++cell) {
-        const double ofCorner_m2 = mesh_->area_m2(cell) / 3.0;
+        const double twelfth_m2 = mesh_->area_m2(cell) / 12.0;
         for (const std::uint32_t corner : mesh_->corners(cell))
-            around_m2[corner] += ofCorner_m2;
+            quarter_m2[corner] += twelfth_m2;
     }
     // Nodes are near few others: of each pair the parts are summed as they come.
     std::vector<std::vector<LightPart>> parts(nodes());
@@ -132,13 +134,20 @@ void ExchangeNodes::findSmoothing() {
         else
             known->factor += part.factor;
     };
-    for (std::uint32_t v = 0; v < around_m2.size(); ++v)
-        for (const Share& one : sharesOf(v))
-            for (const Share& other : sharesOf(v))
+    const auto addAll = [&](const auto& shares, double product_m2) {
+        for (const Share& one : shares)
+            for (const Share& other : shares)
                 if (area_m2_[one.node] > 0.0)
                     add({one.node, other.node,
                          one.part * other.part *
-                             static_cast<float>(around_m2[v] / area_m2_[one.node])});
+                             static_cast<float>(product_m2 / area_m2_[one.node])});
+    };
+    for (std::uint32_t v = 0; v < quarter_m2.size(); ++v)
+        addAll(sharesOf(v), quarter_m2[v]);
+    // The three corners together are the place in the middle of the cell, times 3.
+    constexpr float third = 1.0f / 3.0f;
+    for (std::uint32_t cell = 0; cell < mesh_->cells(); ++cell)
+        addAll(OfPlace(*this, {cell, third, third}), 0.75 * mesh_->area_m2(cell));
     smoothing_ = LightPairs(nodes(), std::move(parts));
     findSmoothingOfSenders();
 }
@@ -265,7 +274,7 @@ bool ExchangeNodes::placeAll(std::vector<OfPiece>& pieces, const ExchangeMesh& m
 /// Nodes send as one that would be one where nodes are farther apart.
 void ExchangeNodes::placeSenders(std::vector<OfPiece>& pieces, NodeSpacing spacing,
                                  const ExchangeResolution& resolution) {
-    constexpr double wider = 2.0;
+    constexpr double widest = 2.0, step = 1.19;
     senderOf_.resize(nodes());
     std::iota(senderOf_.begin(), senderOf_.end(), 0u);
     senders_ = nodes();
@@ -280,10 +289,19 @@ void ExchangeNodes::placeSenders(std::vector<OfPiece>& pieces, NodeSpacing spaci
         spacing.least_m *= factor;
         spacing.longest_m *= factor;
     };
+    // No farther apart than is needed for a few: their number falls as the square of that.
+    double wider = std::clamp(
+        std::sqrt(static_cast<double>(nodes()) / static_cast<double>(resolution.fewSenders)), 1.0,
+        widest);
     widen(wider);
     while (!placeAll(pieces, *mesh_, spacing,
-                     spacing.least_m < mesh_->extent_m() ? resolution.mostSenders : allNodes))
-        widen(1.3);
+                     wider < 0.99 * widest                 ? resolution.fewSenders
+                     : spacing.least_m < mesh_->extent_m() ? resolution.mostSenders
+                                                           : allNodes)) {
+        const double more = wider < 0.99 * widest ? std::min(step, widest / wider) : 1.3;
+        widen(more);
+        wider *= more;
+    }
     senders_ = 0;
     for (std::size_t p = 0; p < pieces.size(); ++p) {
         std::vector<std::uint32_t> number(pieces[p].nodes.size(), ExchangeMesh::none);

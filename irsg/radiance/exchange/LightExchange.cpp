@@ -192,35 +192,6 @@ void LightExchange::takeOpenness() {
     }
 }
 
-void LightExchange::sharpen(std::vector<float>& values, std::size_t width) const {
-    const std::vector<float> before = values;
-    for (std::size_t b = 0; b < bodies_.size(); ++b) {
-        const LightPairs& smoothing = bodies_[b].light->nodes().smoothing();
-        const std::size_t first = firstReceiver_[b];
-        parallelForSmall(smoothing.receivers(), [&](std::uint32_t r) {
-            if (smoothing.isEmpty(r))
-                return;
-            std::vector<float> mean(width);
-            smoothing.gather(r, std::span(before).subspan(first * width), width, width,
-                             mean.data());
-            float* const own = &values[(first + r) * width];
-            for (std::size_t c = 0; c < width; ++c)
-                own[c] = 2.0f * own[c] - mean[c];
-        });
-    }
-}
-
-void LightExchange::sharpenSent(std::span<const float> means, std::size_t width, std::size_t count,
-                                std::uint32_t sender, float* own) const {
-    const std::size_t body = bodyOfSender(sender), first = firstSender_[body];
-    const LightPairs& smoothing = bodies_[body].light->nodes().smoothingOfSenders();
-    const auto local = static_cast<std::uint32_t>(sender - first);
-    const float* const mean = &means[sender * width];
-    smoothing.gather(local, means.subspan(first * width), width, count, own);
-    for (std::size_t c = 0; c < count; ++c)
-        own[c] = smoothing.isEmpty(local) ? 0.0f : mean[c] - own[c];
-}
-
 void LightExchange::takePairs(Making& making) {
     losses_.resize(rows_.size());
     making.parts.resize(rows_.size());
@@ -290,6 +261,12 @@ void LightExchange::takePairs(Making& making) {
                 isSeen_[pair->sender] = true;
         }
     }
+    reflects_.resize(senders());
+    for (std::size_t s = 0; s < senders(); ++s)
+        reflects_[s] = isSeen_[s] && (!between().isEmpty(s) ||
+                                      std::ranges::any_of(through_, [&](const LightThrough& one) {
+                                          return !one.balance.between->isEmpty(s);
+                                      }));
 }
 
 std::vector<double> LightExchange::areasOfSenders_m2() const {
@@ -377,10 +354,21 @@ void LightExchange::takeLight(Making& making) {
         ground_[s] = isLit ? ground_[s] / area_m2[s] : 0.0;
     }
     weighBehindGas(weights);
-    if (through_.empty())
-        return;
-    weighLeaving(weights);
-    PaneClosure(passages_, panes_, paneOf_).closeSenders(between(), through_);
+    if (!through_.empty()) {
+        weighLeaving(weights);
+        PaneClosure(passages_, panes_, paneOf_).closeSenders(between(), through_);
+    }
+    // As what comes from others in their place.
+    sharpenSent(sky_, reflects_);
+    sharpenSent(ground_, reflects_);
+    for (LightThrough& one : through_) {
+        sharpenSent(one.sky, reflects_);
+        sharpenSent(one.ground, reflects_);
+    }
+    for (LightThroughGas& one : throughGas_) {
+        sharpenSent(one.sky, reflects_);
+        sharpenSent(one.ground, reflects_);
+    }
 }
 
 void LightExchange::lightSide(Making& making, std::size_t body, std::uint32_t patch) const {

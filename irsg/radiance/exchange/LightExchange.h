@@ -145,15 +145,23 @@ class LightExchange {
     const LightPairs& sunBesideMean() const { return sunBesideMean_; }
     /// Adds to what receivers have, `width` numbers by receiver, what two means took of it: that of
     /// the places that a node has a part of, and that of the nodes that a place has a part of.
-    /// One step of van Cittert's; sums over surfaces stay.
+    /// Steps of Landweber's between those that get light; sums over surfaces stay.
     void sharpen(std::vector<float>& values, std::size_t width) const;
-    /// The same for a sender, of what it reflects: how much more it sends than its means, so that
-    /// means over what is sent are those. `means` begins at the first of `count` numbers of the
-    /// first sender, which has `width`; `own` takes those of this one.
-    void sharpenSent(std::span<const float> means, std::size_t width, std::size_t count,
-                     std::uint32_t sender, float* own) const;
+    /// Some of the columns that numbers by sender or receiver have.
+    struct Columns {
+        std::size_t first = 0, count = 0;
+    };
+    /// The same for senders, of what they reflect, so that means over what is sent are `values`, in
+    /// more steps: what is left out here is missing at each reflection. Of those that reflect
+    /// anything, and the columns that bodies have.
+    void sharpenSent(std::vector<float>& values, std::size_t width,
+                     std::span<const Columns> ofBodies) const {
+        sharpenSent(values, width, ofBodies, reflects_);
+    }
     /// Whether anybody sees it.
     bool isSeen(std::size_t sender) const { return isSeen_[sender]; }
+    /// Whether somebody sees it to whom it reflects what comes from others.
+    bool reflects(std::size_t sender) const { return reflects_[sender]; }
     /// Part of the hemisphere of a receiver in which others stand.
     double seen(std::size_t receiver) const { return pairs().sumOf(receiver); }
 
@@ -370,6 +378,10 @@ class LightExchange {
     /// Means over senders of what is known of receivers.
     std::vector<double> meansOverSenders(const std::function<double(std::size_t)>& of) const;
     void takeLight(Making& making);
+    /// Of those senders that count.
+    void sharpenSent(std::vector<float>& values, std::size_t width,
+                     std::span<const Columns> ofBodies, const std::vector<bool>& counts) const;
+    void sharpenSent(std::vector<double>& values, const std::vector<bool>& counts) const;
     void takeOpenness();
     void addReflected();
     void numberComponents(const std::vector<std::size_t>& components);
@@ -386,6 +398,7 @@ class LightExchange {
     std::vector<std::uint32_t> local_;
     std::vector<std::vector<std::uint32_t>> ofRow_;
     std::vector<bool> sees_, isSeen_, getsLight_;
+    std::vector<bool> reflects_; // by sender
     std::optional<Spectrum> groundReflectivity_;
     bool hasLobes_, areApart_ = false;
     std::size_t components_ = 0; // of all rows

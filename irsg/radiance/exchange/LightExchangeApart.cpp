@@ -29,6 +29,7 @@ LightExchange::LightExchange(std::vector<std::shared_ptr<const LightExchange>> o
             sees_[row] = sees_[row] || own->sees_[row];
         append(getsLight_, own->getsLight_, own->receivers());
         append(isSeen_, own->isSeen_, own->senders());
+        append(reflects_, own->reflects_, own->senders());
         append(losses_, own->losses_, own->receivers());
         append(openOfVertex_, own->openOfVertex_, own->openOfVertex_.size());
         append(sunOnCells_, own->sunOnCells_, own->sunOnCells_.size());

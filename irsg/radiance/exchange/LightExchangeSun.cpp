@@ -54,6 +54,12 @@ void LightExchange::takeSun(Making& making) {
     for (std::size_t s = 0; s < senders(); ++s)
         sun_[s] = area_m2[s] > 0.0 ? sun_[s] / area_m2[s] : 0.0;
     takeSunThrough(making);
+    std::vector<bool> isKnown;
+    for (const double own_m2 : area_m2)
+        isKnown.push_back(own_m2 > 0.0);
+    sharpenSent(sun_, isKnown);
+    for (LightThrough& one : through_)
+        sharpenSent(one.sun, isKnown);
     takeSunBeside(making);
 }
 

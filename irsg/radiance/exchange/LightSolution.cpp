@@ -364,19 +364,13 @@ std::vector<float> LightSolution::arrivingAtSenders(const LightFactors& factors,
                                                     std::size_t width,
                                                     std::span<const Columns> ofBodies) {
     const LightExchange& exchange = factors.exchange();
-    std::vector<float> means(exchange.senders() * width), all = means;
+    std::vector<float> all(exchange.senders() * width);
     forEachInParts(exchange.senders(), [&](std::size_t s, std::size_t) {
         const auto [first, count] = ofBodies[exchange.bodyOfSender(s)];
         factors.between().gather(s, std::span(leaving).subspan(first), width, count,
-                                 &means[s * width + first]);
+                                 &all[s * width + first]);
     });
-    forEachInParts(exchange.senders(), [&](std::size_t s, std::size_t) {
-        const auto [first, count] = ofBodies[exchange.bodyOfSender(s)];
-        exchange.sharpenSent(std::span(means).subspan(first), width, count,
-                             static_cast<std::uint32_t>(s), &all[s * width + first]);
-        for (std::size_t c = first; c < first + count; ++c)
-            all[s * width + c] += means[s * width + c];
-    });
+    exchange.sharpenSent(all, width, ofBodies);
     return all;
 }
 
@@ -388,36 +382,33 @@ void LightSolution::iterate(const LightFactors& factors, const std::vector<doubl
     const int fewest = leaving.empty() ? 3 : 2;
     if (leaving.empty())
         leaving = sent;
-    std::vector<float> next = leaving, reflected(leaving.size());
     const LightExchange& exchange = factors.exchange();
+    std::vector<float> next = leaving, reflected(exchange.senders() * width);
     std::vector<std::size_t> reflecting;
     for (std::size_t s = 0; s < exchange.senders(); ++s)
-        if (exchange.isSeen(s) && !factors.between().isEmpty(s))
+        if (exchange.reflects(s) || (exchange.isSeen(s) && !factors.between().isEmpty(s)))
             reflecting.push_back(s);
-    std::vector<std::vector<float>> rooms(receiverParts, std::vector<float>(width));
     double before = 0.0;
     // What arrives after one bounce is what was sent: one step less.
     for (int n = 1; n <= mostIterations && n != bounces; ++n) {
         std::array<float, receiverParts> changes{}, largest{};
-        forEachInParts(reflecting.size(), [&](std::size_t i, std::size_t part) {
+        forEachInParts(reflecting.size(), [&](std::size_t i, std::size_t) {
             const std::size_t s = reflecting[i];
-            float* own = rooms[part].data();
+            float* const own = &reflected[s * width];
             const auto [first, count] = ofBodies[exchange.bodyOfSender(s)];
             factors.between().gather(s, std::span(leaving).subspan(first), width, count,
                                      own + first);
             const auto rho = static_cast<float>(
                 reflectivities[static_cast<std::size_t>(exchange.rowOfSender(s))]);
             for (std::size_t c = first; c < first + count; ++c)
-                reflected[s * width + c] = rho * own[c];
+                own[c] *= rho;
         });
+        exchange.sharpenSent(reflected, width, ofBodies);
         forEachInParts(reflecting.size(), [&](std::size_t i, std::size_t part) {
             const std::size_t s = reflecting[i];
-            float* own = rooms[part].data();
             const auto [first, count] = ofBodies[exchange.bodyOfSender(s)];
-            exchange.sharpenSent(std::span<const float>(reflected).subspan(first), width, count,
-                                 static_cast<std::uint32_t>(s), own + first);
             for (std::size_t c = first; c < first + count; ++c) {
-                const float now = sent[s * width + c] + reflected[s * width + c] + own[c];
+                const float now = sent[s * width + c] + reflected[s * width + c];
                 changes[part] = std::max(changes[part], std::abs(now - leaving[s * width + c]));
                 largest[part] = std::max(largest[part], now);
                 next[s * width + c] = now;

@@ -135,9 +135,7 @@ class LightSolution {
     /// Numbers receivers, and makes room for their columns.
     void number(const LightExchange& exchange, const std::vector<LightColumn>& columns);
     /// Columns that the surfaces of a body may get anything of.
-    struct Columns {
-        std::size_t first = 0, count = 0;
-    };
+    using Columns = LightExchange::Columns;
     /// By body: where bodies are apart, those of each alone; else all.
     static std::vector<Columns> columnsOfBodies(const LightExchange& exchange,
                                                 std::span<const LightColumn> sent);
