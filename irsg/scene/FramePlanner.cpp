@@ -190,13 +190,15 @@ std::optional<AlongRange> FramePlanner::alongRange(const FrameRequest& request,
     const double range_m =
         surfaces.evaluation.geometry[static_cast<std::size_t>(object.entity)].path.range_m;
     const double ofItself_m = prepared_.reach_m(entity);
+    // A camera so close, in the reference point even, has no direction towards it that counts.
+    if (!(ofItself_m > 0.0) || !(ofItself_m <= RangeGeometry::closest * range_m))
+        return std::nullopt;
     // Cosines off the axis are those of a camera that looks at the reference point.
     constexpr double nearby = 1e-6;
     const Viewpoint& viewpoint = request.view.viewpoint;
     const bool isLookedAt =
         length(prepared_.towards(entity, viewpoint.position_m) - viewpoint.backward) < nearby;
-    if (!(ofItself_m > 0.0) || ofItself_m > RangeGeometry::closest * range_m ||
-        hiddenPart(surfaces, object.entity) != HiddenPart::none || !isLookedAt ||
+    if (hiddenPart(surfaces, object.entity) != HiddenPart::none || !isLookedAt ||
         !isWholeAndApart(request.view.sensor, seen, object))
         return std::nullopt;
     AlongRange one{object, ofItself_m};

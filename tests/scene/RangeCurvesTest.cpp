@@ -366,6 +366,9 @@ TEST(RangeCurve, DrawsWhatIsNearOrCutOffOrOverlapsOrIsNotLookedAt) {
     look(irsg, {30, 10}, 90.0);
     EXPECT_TRUE(isDrawn(irsg)) << "nearer than 16 times what it reaches";
 
+    irsg.view.viewpoint.position_m = irsg.scene.entities[0].pose.position_m;
+    EXPECT_TRUE(isDrawn(irsg)) << "the camera is in its middle, at range 0";
+
     look(irsg, {30, 10}, 300.0);
     Sensor narrow = irsg.view.sensor;
     narrow.horizontalFieldOfView_rad = 0.02;
