@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 
 #include <Imath/half.h>
 #include <tiffio.h>
@@ -12,6 +13,7 @@
 #include "irsg/core/Remarks.h"
 #include "irsg/image/AttributeText.h"
 #include "irsg/image/ExrFile.h"
+#include "irsg/image/GdalTags.h"
 #include "irsg/image/ImageFormat.h"
 #include "irsg/image/TiffMemory.h"
 
@@ -287,6 +289,28 @@ class TiffReader {
             image.channel(plane, text.plane["unit"]);
         }
         readValues(image, first, layout, page);
+        takeGdalTags(image, first, page);
+    }
+
+    /// Values of a page that stand for none become NaN.
+    void takeGdalTags(RadianceImage& image, std::size_t firstPlane, const std::string& page) const {
+        const GdalTags tags = gdalTagsOf(tiff_.get(), name_, page);
+        if (tags.hasScale)
+            remarkOn(name_, page + ": scale and offset of GDAL_METADATA are left out; values are "
+                                   "as stored");
+        if (!tags.missing)
+            return;
+        const auto missing = static_cast<float>(*tags.missing);
+        std::size_t count = 0;
+        for (std::size_t i = firstPlane; i < image.channels.size(); ++i)
+            for (float& value : image.channels[i].values)
+                if (value == missing) {
+                    value = std::numeric_limits<float>::quiet_NaN();
+                    ++count;
+                }
+        if (count > 0)
+            remarkOn(name_, page + ": " + std::to_string(count) +
+                                " values are GDAL_NODATA and are read as NaN");
     }
 
     AttributeText descriptionOf() const {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdlib>
 
 #include <gmock/gmock.h>
@@ -57,8 +58,9 @@ TEST(TiffFile, KeepsEveryBitOfEveryPlaneWithUnitsAndAttributes) {
 /// A little-endian TIFF of one strip, put together by hand from the TIFF 6.0 specification.
 class HandMade {
   public:
-    HandMade& entry(std::uint16_t tag, std::uint16_t type, std::uint32_t value) {
-        entries_.push_back({tag, type, 1, value});
+    HandMade& entry(std::uint16_t tag, std::uint16_t type, std::uint32_t value,
+                    std::size_t count = 1) {
+        entries_.push_back({tag, type, static_cast<std::uint32_t>(count), value});
         return *this;
     }
     HandMade& size(std::uint32_t width, std::uint32_t height, std::uint16_t bits,
@@ -128,6 +130,39 @@ TEST(TiffFile, ReadsNumbersOfEveryTypeOfOthers) {
         EXPECT_EQ(image.primary().name, "L");
         EXPECT_EQ(image.primary().values, expected);
     }
+}
+
+TEST(TiffFile, ReadsStoredValuesThatStandForNoneAsNaN) {
+    /// ASCII of up to four bytes stands in the entry itself.
+    const auto read = [](std::uint16_t tag, const std::string& text, std::uint16_t type = 2) {
+        std::uint32_t value = 0;
+        for (std::size_t i = 0; i < text.size(); ++i) {
+            value |= static_cast<std::uint32_t>(static_cast<unsigned char>(text[i])) << (8 * i);
+        }
+        return readTiff(
+            writtenFile(ownFolder() / "gdal.tif", HandMade()
+                                                      .size(2, 2, 16, 2)
+                                                      .entry(tag, type, value, text.size() + 1)
+                                                      .data(std::vector<std::int16_t>{-9, 9, 7, -9})
+                                                      .bytes()));
+    };
+    constexpr std::uint16_t noData = 42113, byteType = 1;
+    {
+        const CollectedRemarks remarks;
+        const std::vector<float> values = read(noData, "-9").primary().values;
+        EXPECT_TRUE(std::isnan(values[0]) && std::isnan(values[3]));
+        EXPECT_EQ(values[1], 9.0F);
+        EXPECT_EQ(values[2], 7.0F);
+        EXPECT_THAT(testing::PrintToString(remarks.sentences()),
+                    HasSubstr("page 1: 2 values are GDAL_NODATA and are read as NaN"));
+    }
+    const CollectedRemarks remarks;
+    EXPECT_EQ(read(noData, "nan").primary().values[0], -9.0F);
+    EXPECT_EQ(read(noData, "-8").primary().values[0], -9.0F);
+    EXPECT_EQ(read(noData, "-9", byteType).primary().values[0], -9.0F) << "no text";
+    EXPECT_TRUE(remarks.sentences().empty());
+    EXPECT_EQ(read(noData, "x").primary().values[0], -9.0F);
+    EXPECT_THAT(testing::PrintToString(remarks.sentences()), HasSubstr("'x' is no number"));
 }
 
 TEST(TiffFile, SplitsSamplesOfAPixelIntoPlanes) {
