@@ -112,6 +112,20 @@ class EnviHeader {
         }
         return items;
     }
+    /// A number for each band; none where the key is missing, InputError for another count.
+    std::vector<double> perBand(const char* key, std::size_t bands) const {
+        std::vector<double> numbers;
+        for (const std::string& item : list(key)) {
+            const auto number = parseNumber(item);
+            if (!number)
+                refuse(key, "numbers between commas");
+            numbers.push_back(*number);
+        }
+        if (has(key) && numbers.size() != bands)
+            refuse(key, std::to_string(bands) + " numbers, one for each band, not " +
+                            std::to_string(numbers.size()));
+        return numbers;
+    }
     const std::string& file() const { return file_; }
 
   private:
@@ -227,6 +241,9 @@ RadianceImage readEnvi(const fs::path& file) {
     for (const std::string& name : names)
         image.channel(name);
     const auto ignored = parseNumber(header.text("data ignore value"));
+    const std::vector<double> gains = header.perBand("data gain values", bands);
+    const std::vector<double> offsets = header.perBand("data offset values", bands);
+    const bool isScaled = !gains.empty() || !offsets.empty();
     std::size_t missing = 0;
     for (std::size_t b = 0; b < bands; ++b)
         for (std::size_t y = 0; y < height; ++y)
@@ -238,17 +255,27 @@ RadianceImage readEnvi(const fs::path& file) {
                 if (ignored && value == static_cast<float>(*ignored)) {
                     value = std::numeric_limits<float>::quiet_NaN();
                     ++missing;
+                } else if (isScaled) {
+                    value = static_cast<float>((gains.empty() ? 1.0 : gains[b]) * value +
+                                               (offsets.empty() ? 0.0 : offsets[b]));
                 }
                 image.channels[b].values[y * width + x] = value;
             }
     if (missing > 0)
         remarkOn(header.file(), std::to_string(missing) + " values are the 'data ignore value' and "
                                                           "are read as NaN");
+    if (isScaled)
+        remarkOn(header.file(),
+                 "values are gain * stored value + offset, as 'data gain values' and "
+                 "'data offset values' say");
     for (const char* const key : {"description", "wavelength", "wavelength units", "sensor type"})
         if (header.has(key))
             image.attributes[key] = header.text(key);
-    if (header.has("reflectance scale factor"))
-        remarkOn(header.file(), "the reflectance scale factor is left out; values are as stored");
+    for (const char* const key : {"reflectance scale factor", "data reflectance gain values",
+                                  "data reflectance offset values"})
+        if (header.has(key))
+            remarkOn(header.file(), "'" + std::string(key) + "' is left out: values are " +
+                                        (isScaled ? "not those of reflectance" : "as stored"));
     return image;
 }
 

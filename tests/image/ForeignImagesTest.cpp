@@ -123,6 +123,36 @@ TEST(ForeignImages, MissingValuesAreNaNWithARemark) {
     EXPECT_THAT(all, HasSubstr("1 values are NODATA_value"));
 }
 
+TEST(ForeignImages, EnviGainsAndOffsetsOfBandsApplyToStoredValues) {
+    const CollectedRemarks remarks;
+    const auto header = ownFolder() / "a.hdr";
+    writtenFile(ownFolder() / "a", bytesOf<std::int16_t>({10, -1, 10, -3}));
+    const auto read = [&](const std::string& lines) {
+        writtenFile(header, envi("data type = 2\ninterleave = bsq\n" + lines));
+        return readImageFile(header);
+    };
+    const std::string gains = "data gain values = {2.0,\n 0.5}\n";
+    const RadianceImage both = read(gains + "data offset values = {1, -2}\n"
+                                            "data ignore value = -1\n");
+    EXPECT_EQ(both.channels[0].values[0], 21.0F);
+    EXPECT_TRUE(std::isnan(both.channels[0].values[1])) << "stored values are compared";
+    EXPECT_EQ(both.channels[1].values, (std::vector<float>{3.0F, -3.5F}));
+    EXPECT_EQ(read(gains).channels[1].values, (std::vector<float>{5.0F, -1.5F}));
+    EXPECT_EQ(read("data offset values = {1, -2}\n").channels[0].values,
+              (std::vector<float>{11.0F, 0.0F}));
+    EXPECT_THAT(testing::PrintToString(remarks.sentences()), HasSubstr("gain * stored value"));
+
+    const std::pair<const char*, const char*> rows[] = {
+        {"data gain values = {2.0}\n", "line 7: found data gain values = 2.0, expected 2 numbers, "
+                                       "one for each band, not 1"},
+        {"data offset values = {1,2,3}\n", "line 7: found data offset values = 1,2,3"},
+        {"data gain values = {1,two}\n", "numbers between commas"},
+        {"data gain values = {}\n", "not 0"}};
+    for (const auto& [lines, says] : rows) {
+        EXPECT_THAT(inputErrorOf([&, lines = lines] { read(lines); }), HasSubstr(says));
+    }
+}
+
 TEST(ForeignImages, GridsMayGoOverLinesAndHaveDecimalCommas) {
     const auto read = [](const std::string& text) {
         return readImageFile(writtenFile(ownFolder() / "g.asc", text));
