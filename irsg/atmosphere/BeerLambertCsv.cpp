@@ -10,6 +10,7 @@
 #include "irsg/atmosphere/Vacuum.h"
 #include "irsg/core/ColumnWords.h"
 #include "irsg/core/CsvTable.h"
+#include "irsg/core/Remarks.h"
 #include "irsg/radiometry/CurveSampling.h"
 #include "irsg/radiometry/SpectralHead.h"
 #include "irsg/radiometry/Units.h"
@@ -35,6 +36,9 @@ constexpr std::string_view skyKey = "sky_temperature [K]";
 constexpr std::array knownKeys = {
     std::string_view("name"),   atmosphereKey,           groundKey, skyKey, std::string_view("sun"),
     std::string_view("source"), std::string_view("note")};
+
+/// Air on earth is warmer (the mesopause in summer, 130 K, is its coldest).
+constexpr double coldest_K = 100.0;
 
 template <std::size_t count>
 std::string listOf(const std::array<std::string_view, count>& words) {
@@ -72,6 +76,12 @@ class Reader {
         readColumns();
         if (!diagnostics_.empty())
             throw InputError(std::move(diagnostics_));
+        for (const std::string& remark : doubtful_)
+            remarkOn(table_.file(), remark);
+        if (!air_K_)
+            remarkOn(table_.file(), "has no '" + std::string(atmosphereKey) + "': the air has " +
+                                        numberText(BeerLambertParameters().airTemperature_K) +
+                                        " K");
         return parameters();
     }
 
@@ -122,6 +132,10 @@ class Reader {
             diagnostics_.push_back(table_.diagnostic(comment->line, comment->value, expected));
             return std::nullopt;
         }
+        if (value && *value > 0.0 && *value < coldest_K)
+            doubtful_.push_back("line " + std::to_string(comment->line) + ": " + comment->key +
+                                " is " + comment->value + " K, below " + numberText(coldest_K) +
+                                " K, colder than any air; degrees Celsius taken for K?");
         return value;
     }
 
@@ -265,6 +279,7 @@ class Reader {
     double extinctionFactor_ = 1e-3;                     ///< of a value in the file, m-1
     std::vector<std::string> names_;                     ///< of the columns, as we call them
     std::map<std::string, std::vector<double>> columns_; ///< the axis in um
+    std::vector<std::string> doubtful_; ///< remarks on values that are rather in another unit
     std::optional<double> air_K_;
     std::optional<double> ground_K_;
     std::optional<double> sky_K_;

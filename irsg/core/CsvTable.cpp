@@ -32,13 +32,41 @@ std::string linePosition(int line) {
     return "line " + std::to_string(line);
 }
 
+/// One word of letters and underscores, with or without a unit in brackets.
+bool isOneWord(std::string_view key) {
+    const std::size_t bracket = key.find_first_of("[(");
+    const std::string_view word = trimmed(key.substr(0, bracket));
+    const bool isClosed =
+        bracket == std::string_view::npos || key.ends_with(']') || key.ends_with(')');
+    return !word.empty() && isClosed && std::ranges::all_of(word, [](unsigned char c) {
+        return c == '_' || c >= 0x80 || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+    });
+}
+
+/// Whether what stands behind an equals sign is a value and no formula.
+bool isValue(std::string_view text) {
+    if (parseNumber(text))
+        return true;
+    for (const std::string_view sign : {"*", "^", "=", " / ", " + ", " - "})
+        if (text.find(sign) != std::string_view::npos)
+            return false;
+    return !text.empty();
+}
+
+/// `# key: value` and `# key = value`; the rest of the line where it is neither.
 CsvComment readComment(std::string_view line, int number) {
     line.remove_prefix(1);
-    const std::size_t colon = line.find(':');
+    const auto split = [&](std::size_t at) {
+        return CsvComment{std::string(trimmed(line.substr(0, at))),
+                          std::string(trimmed(line.substr(at + 1))), number};
+    };
+    const std::size_t colon = line.find(':'), equal = line.find('=');
+    if (equal < colon && isOneWord(trimmed(line.substr(0, equal))) &&
+        isValue(trimmed(line.substr(equal + 1))))
+        return split(equal);
     if (colon == std::string_view::npos)
         return {"", std::string(trimmed(line)), number};
-    return {std::string(trimmed(line.substr(0, colon))),
-            std::string(trimmed(line.substr(colon + 1))), number};
+    return split(colon);
 }
 
 /// The line of a comment that a spreadsheet saved, as it was before: without quotes around its

@@ -67,22 +67,63 @@ std::string placeOf(const CsvCell& cell) {
     return "line " + std::to_string(cell.line) + ", column " + std::to_string(cell.column);
 }
 
-/// Noise about zero becomes zero, other negative values are refused.
-void takeNegatives(const CsvTable& table, ResponseNodes& nodes,
+/// What the values of a response are divided by, after its head: 100 for percent, 1 for fractions
+/// and where there is no head. A unit that is none of a fraction is a diagnostic; words in brackets
+/// that are no known unit are a remark.
+double unitOfResponse(const CsvTable& table, const CsvCell& head,
+                      std::vector<Diagnostic>& diagnostics) {
+    const ColumnHead column = columnHead(head.text);
+    if (column.unit == "%")
+        return 100.0;
+    const std::string plain(trimmed(plainHead(head.text)));
+    const bool hasBrackets = plain.ends_with(']') || plain.ends_with(')');
+    const std::string_view unit = hasBrackets ? std::string_view(column.unit) : plain;
+    // A/W, V / W, mA/mW, A W-1.
+    const std::size_t slash = unit.rfind('/');
+    const std::string_view below =
+        slash == std::string_view::npos ? unit : trimmed(unit.substr(slash + 1));
+    const bool isPerWatt =
+        slash == std::string_view::npos
+            ? unit.ends_with("W-1") || unit.ends_with("W^-1")
+            : below == "W" || (below.size() == 2 && below[1] == 'W' &&
+                               std::string_view("munkM").find(below[0]) != below.npos);
+    if (isPerWatt || (hasBrackets && !unit.empty() && columnUnit(unit)))
+        diagnostics.push_back(
+            table.diagnostic(head, "a response from 0 to 1 without a unit, or with [%]: values per "
+                                   "watt and others divided by their largest one"));
+    else if (hasBrackets && !unit.empty())
+        remarkOn(table.file(),
+                 "the response in '" + std::string(unit) + "' is taken as a fraction from 0 to 1");
+    return 1.0;
+}
+
+/// Fractions from values in percent (`divisor` 100) or fractions. Noise about zero (relative to the
+/// largest value) and about one becomes the bound, other values outside are refused.
+void takeFractions(const CsvTable& table, ResponseNodes& nodes, double divisor,
                    std::vector<Diagnostic>& diagnostics) {
     if (nodes.values.empty())
         return;
-    const double largest = *std::ranges::max_element(nodes.values);
-    BoundedValues bounds(0.0, std::max(largest, 0.0), boundTolerance * std::max(largest, 0.0));
+    const double largest = std::max(*std::ranges::max_element(nodes.values), 0.0);
+    BoundedValues fromBelow(0.0, largest, boundTolerance * largest);
+    BoundedValues fromAbove(0.0, divisor, boundTolerance * divisor);
     for (std::size_t i = 0; i < nodes.values.size(); ++i) {
-        const auto taken = bounds.take(nodes.values[i], placeOf(nodes.valueCells[i]));
+        const CsvCell& cell = nodes.valueCells[i];
+        double& value = nodes.values[i];
+        const auto taken = value < 0.0       ? fromBelow.take(value, placeOf(cell))
+                           : value > divisor ? fromAbove.take(value, placeOf(cell))
+                                             : std::optional(value);
         if (!taken)
-            diagnostics.push_back(
-                table.diagnostic(nodes.valueCells[i], "a response of at least 0"));
-        nodes.values[i] = taken.value_or(0.0);
+            diagnostics.push_back(table.diagnostic(
+                cell, value < 0.0 ? "a response of at least 0"
+                      : divisor == 1.0 && value > 1.5 && value <= 100.5
+                          ? "a fraction from 0 to 1, not percent without [%] in its head"
+                          : "a response from 0 to " + numberText(divisor)));
+        value = taken.value_or(0.0) / divisor;
     }
-    if (diagnostics.empty())
-        bounds.remark(table.file());
+    if (diagnostics.empty()) {
+        fromBelow.remark(table.file());
+        fromAbove.remark(table.file());
+    }
 }
 
 /// Nodes over ascending wavenumbers as nodes over ascending wavelengths.
@@ -243,7 +284,10 @@ Band Band::fromCsv(const std::filesystem::path& file) {
 
     ResponseNodes nodes = readNodes(table, hasHead ? 1 : 0, diagnostics);
     const auto axis = axisOf(table, hasHead, nodes.axis, diagnostics);
-    takeNegatives(table, nodes, diagnostics);
+    const double divisor = hasHead && header.cells.size() == 2
+                               ? unitOfResponse(table, header.cells[1], diagnostics)
+                               : 1.0;
+    takeFractions(table, nodes, divisor, diagnostics);
     if (diagnostics.empty() && nodes.axis.size() < 2) {
         diagnostics.push_back(
             table.diagnostic(std::to_string(nodes.axis.size()) + " rows of numbers",
@@ -255,11 +299,8 @@ Band Band::fromCsv(const std::filesystem::path& file) {
     }
     if (!diagnostics.empty())
         throw InputError(std::move(diagnostics));
-    if (hasHead && columnHead(header.cells[1].text).unit == "%") {
-        for (double& value : nodes.values)
-            value /= 100.0;
+    if (divisor != 1.0)
         remarkOn(table.file(), "the response is in percent");
-    }
     nodes = inMicrometres(std::move(nodes), *axis);
     return fromResponse(
         {std::move(nodes.axis), std::move(nodes.values), Spectrum::Outside::zero, table.file()},

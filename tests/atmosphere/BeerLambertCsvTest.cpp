@@ -10,6 +10,7 @@
 #include "irsg/atmosphere/BeerLambert.h"
 #include "irsg/atmosphere/Vacuum.h"
 #include "irsg/core/Errors.h"
+#include "irsg/core/Remarks.h"
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
 #include "tests/support/TemporaryFolder.h"
@@ -73,6 +74,35 @@ TEST(BeerLambertCsv, FillsWhatIsMissingFromItsTemperatures) {
     EXPECT_FALSE(bare.parameters().skyRadiance_W_m2_sr_um);
     const double down = pi * planckRadiance_W_m2_sr_um(4.0, 288.15);
     EXPECT_NEAR(bare.downwardFlux(0.0, noon, mwir).at(4.0) / down, 1.0, 1e-6);
+}
+
+TEST(BeerLambertCsv, SaysTheTemperatureThatIsNotGivenAndThoseOfNoAir) {
+    const std::string table = "wavelength [um],extinction [km-1]\n3,0.1\n5,0.1\n";
+    const auto remarksOn = [&](const std::string& head) {
+        const CollectedRemarks remarks;
+        atmosphereOf(head + table);
+        return testing::PrintToString(remarks.sentences());
+    };
+    EXPECT_THAT(remarksOn(""), HasSubstr("has no 'air_temperature [K]': the air has 288.15 K"));
+    EXPECT_THAT(remarksOn("# air_temperature [K]: 17\n"),
+                HasSubstr("line 1: air_temperature [K] is 17 K, below 100 K"));
+    EXPECT_THAT(remarksOn("# air_temperature [K]: 280\n# ground_temperature [K]: 12\n"),
+                HasSubstr("line 2: ground_temperature [K] is 12 K"));
+    for (const char* sound : {"0", "100", "280"}) {
+        EXPECT_EQ(remarksOn("# air_temperature [K]: " + std::string(sound) + "\n"), "{}");
+    }
+}
+
+TEST(BeerLambertCsv, TakesAnEqualsSignForAColon) {
+    const std::string table = "wavelength [um],extinction [km-1]\n3,0.1\n5,0.1\n";
+    const BeerLambert air = atmosphereOf("# air_temperature [K] = 290\n# name = a haze: thin\n"
+                                         "# extinction = 3.912 / V\n# sun=none\n" +
+                                         table);
+    EXPECT_EQ(air.ambientTemperature_K(0.0), 290.0);
+    EXPECT_EQ(air.name(), "a haze: thin");
+    EXPECT_EQ(air.solarIrradiance(0.0, noon, mwir).at(4.0), 0.0);
+    EXPECT_THROW(atmosphereOf("# air_temprature [K] = 290\n" + table), InputError);
+    EXPECT_EQ(atmosphereOf("# name: a = b\n" + table).name(), "a = b");
 }
 
 TEST(BeerLambertCsv, ExtinctionPerMetreAndWordsOfOtherLanguagesGiveOneAir) {

@@ -8,6 +8,7 @@
 
 #include "irsg/atmosphere/engine/Profile.h"
 #include "irsg/core/Errors.h"
+#include "irsg/core/Remarks.h"
 #include "tests/support/TemporaryFolder.h"
 
 using namespace irsg;
@@ -38,6 +39,19 @@ TEST(Radiosonde, ReadsHumidityInThreeForms) {
     const Profile mixing = ascentOf("altitude [m],pressure [hPa],temperature [K],h2o [ppmv]\n"
                                     "0,1013,288.15,7745\n1000,899,281,6071\n");
     EXPECT_NEAR(mixing.at(0.0).fraction(Gas::H2O), 7745e-6, 1e-15);
+}
+
+TEST(Radiosonde, SaysWhereHumiditiesAreRatherFractions) {
+    const auto remarksOn = [](const char* first, const char* second) {
+        const CollectedRemarks remarks;
+        ascentOf(
+            "altitude [m],pressure [hPa],temperature [K],relative_humidity [%]\n0,1013,288.15," +
+            std::string(first) + "\n1000,899,281," + second + "\n");
+        return testing::PrintToString(remarks.sentences());
+    };
+    EXPECT_THAT(remarksOn("0.5", "1"), HasSubstr("no relative humidity is above 1 %: fractions"));
+    EXPECT_EQ(remarksOn("50", "0.5"), "{}");
+    EXPECT_EQ(remarksOn("0", "0"), "{}");
 }
 
 TEST(Radiosonde, TakesOtherGasesWhereTheFileHasThem) {

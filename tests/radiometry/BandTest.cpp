@@ -116,6 +116,22 @@ TEST(Band, ResponsesALittleBelowZeroAreZeroAndOthersRefused) {
     EXPECT_THAT(testing::PrintToString(remarks.sentences()), HasSubstr("line 2, column 2: -0.005"));
 }
 
+TEST(Band, ResponsesALittleAboveOneAreOneAndBracketsOfOtherWordsAreSaid) {
+    const CollectedRemarks remarks;
+    EXPECT_EQ(bandOf("um,r\n3,0\n4,1.005\n5,0\n").responseAt(4.0), 1.0);
+    EXPECT_THAT(testing::PrintToString(remarks.sentences()), HasSubstr("line 3, column 2: 1.005"));
+    EXPECT_EQ(bandOf("um,r [%]\n3,0\n4,100.5\n5,0\n").responseAt(4.0), 1.0);
+    for (const char* head :
+         {"response", "response [1]", "response [-]", "filter K", "R_s", "M/S"}) {
+        const CollectedRemarks none;
+        EXPECT_EQ(bandOf("um," + std::string(head) + "\n3,0\n4,0.7\n5,0\n").responseAt(4.0), 0.7);
+        EXPECT_TRUE(none.sentences().empty()) << head;
+    }
+    EXPECT_EQ(bandOf("um,r (relative)\n3,0\n4,0.7\n5,0\n").responseAt(4.0), 0.7);
+    EXPECT_THAT(testing::PrintToString(remarks.sentences()),
+                HasSubstr("in 'relative' is taken as a fraction"));
+}
+
 TEST(Band, OfAFilterOfSeveralChannelsTheFirstIsReadAndTheOthersAreSaid) {
     const CollectedRemarks remarks;
     const Band band = bandOf("W filters\nfirst\n 2000. 0. 5.\n 2500. 1. 4.\nsecond\n 900. 1.\n"
@@ -188,6 +204,19 @@ INSTANTIATE_TEST_SUITE_P(
         BadBand{"negativeWavelength", "um,r\n-3,1\n4,1\n", "line 2, column 1: found '-3'"},
         BadBand{"zeroWavenumber", "cm-1,r\n0,1\n2000,1\n", "line 2, column 1: found '0'"},
         BadBand{"negativeResponse", "um,r\n3,1\n4,-0.1\n", "line 3, column 2: found '-0.1'"},
+        BadBand{"percentUnderAFraction", "um,response\n3,0\n4,90\n5,100\n",
+                "line 3, column 2: found '90', expected a fraction from 0 to 1, not percent"},
+        BadBand{"counts", "um,response\n3,0\n4,900\n5,0\n",
+                "line 3, column 2: found '900', expected a response from 0 to 1"},
+        BadBand{"aLittleTooMuch", "um,response\n3,0\n4,1.0051\n5,0\n",
+                "found '1.0051', expected a response from 0 to 1"},
+        BadBand{"tooManyPercent", "um,response [%]\n3,0\n4,101\n5,0\n",
+                "found '101', expected a response from 0 to 100"},
+        BadBand{"responsivity", "um,A/W\n3,0\n4,0.5\n5,0\n",
+                "line 1, column 2: found 'A/W', expected a response from 0 to 1 without a unit"},
+        BadBand{"responsivityInBrackets", "um,R [mV / mW]\n3,0\n4,0.5\n5,0\n", "R [mV / mW]"},
+        BadBand{"responsivityByExponent", "um,R (A W-1)\n3,0\n4,0.5\n5,0\n", "R (A W-1)"},
+        BadBand{"temperatures", "um,R [K]\n3,0\n4,0.5\n5,0\n", "line 1, column 2: found 'R [K]'"},
         BadBand{"zeroArea", "um,r\n3,0\n4,0\n", "found a response that is 0 everywhere"},
         BadBand{"binary", std::string("um,r\n3,1\n\0\1", 11), "byte 9: found a NUL byte"}),
     nameOf);

@@ -12,6 +12,7 @@
 #include "irsg/core/ColumnWords.h"
 #include "irsg/core/CsvTable.h"
 #include "irsg/core/Errors.h"
+#include "irsg/core/Remarks.h"
 #include "irsg/radiometry/Units.h"
 
 namespace irsg {
@@ -82,6 +83,7 @@ class Ascent {
                 std::to_string(table_.rows().size() - 1) + " rows of numbers", "at least two"));
         refuse();
         humidities_.remark(table_.file());
+        remarkOnFractions();
         checkTop();
         refuse();
         cutAtGround();
@@ -95,6 +97,14 @@ class Ascent {
     void refuse() {
         if (!diagnostics_.empty())
             throw InputError(std::move(diagnostics_));
+    }
+
+    /// Air whose whole humidity is 1 % and less is rather one whose fractions stand under percent.
+    void remarkOnFractions() const {
+        if (mostHumid_percent_ > 0.0 && mostHumid_percent_ <= 1.0)
+            remarkOn(table_.file(), "no relative humidity is above " +
+                                        numberText(mostHumid_percent_) +
+                                        " %: fractions taken for percent? Multiply by 100");
     }
 
     void readHeader() {
@@ -146,6 +156,8 @@ class Ascent {
                             .take(*value, "line " + std::to_string(cell.line) + ", column " +
                                               std::to_string(cell.column))
                             .value_or(*value);
+            if (value && column.unit == "%")
+                mostHumid_percent_ = std::max(mostHumid_percent_, *value);
             if (value && !(*value >= column.least && *value <= column.most))
                 diagnostics_.push_back(table_.diagnostic(cell, expected));
             isUsable = isUsable && value && *value >= column.least && *value <= column.most;
@@ -246,6 +258,7 @@ class Ascent {
     double ground_m_; ///< above sea level, of which altitudes of the levels are
     std::map<std::string_view, std::size_t> cells_;
     std::map<std::string_view, double> values_;
+    double mostHumid_percent_ = 0.0;
     std::vector<AtmosphericState> levels_;
     std::vector<Diagnostic> diagnostics_;
 };
