@@ -40,7 +40,7 @@ class CostAccuracyCommand {
 
     int run(Context& context) const {
         if (!countsOnly_ || files_.isGiven())
-            files_.check("cost-accuracy.csv");
+            files_.check("cost-accuracy.csv", context.json);
         numbers_.check();
         if (configurations_ != "all" && configurations_ != "likely")
             throw wordRefusal(configurationsOption, configurations_, {"all", "likely"});

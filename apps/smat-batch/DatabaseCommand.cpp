@@ -121,7 +121,9 @@ void addExport(CLI::App& database, Context& context) {
     command->add_option("FILE", options->file, "Signature database (.sigdb)")
         ->required()
         ->type_name("");
-    command->add_option("OUT", options->out, "File to write; standard output without one")
+    command
+        ->add_option("OUT", options->out,
+                     "File to write; without one JSON goes to standard output. CSV needs one")
         ->type_name("");
     command->add_option("--spectrum", options->spectrum, "This user-defined spectrum as CSV")
         ->type_name("NAME");

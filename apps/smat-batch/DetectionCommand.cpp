@@ -134,7 +134,7 @@ class DetectionCommand {
 
     int run(Context& context) const {
         if (!dryRun_ || files_.isGiven())
-            files_.check("detection.csv");
+            files_.check("detection.csv", context.json);
         numbers_.check();
         DetectionRequest request = requestOf();
         const Settings given = settings_.values();

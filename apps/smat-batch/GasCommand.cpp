@@ -56,7 +56,7 @@ class GasCommand {
     }
 
     int run(Context& context) const {
-        files_.check("gas.csv");
+        files_.check("gas.csv", context.json);
         const GasInput input = checkedInput();
         GasOutputRequest request;
         {

@@ -63,13 +63,13 @@ TableFiles::TableFiles(CLI::App& command) {
         ->take_all();
 }
 
-void TableFiles::check(const std::string& example) const {
-    if (files_.empty()) {
-        throw irsg::InputError(
-            irsg::Diagnostic{.file = "--out",
-                             .position = "",
-                             .value = "nothing",
-                             .expected = "a result file, such as --out " + example});
+void TableFiles::check(const std::string& example, bool isPrinted) const {
+    if (files_.empty() && !isPrinted) {
+        throw irsg::InputError(irsg::Diagnostic{.file = "--out",
+                                                .position = "",
+                                                .value = "nothing",
+                                                .expected = "a result file, such as --out " +
+                                                            example + ", or --json"});
     }
     for (const std::string& file : files_)
         checkResultFile(AnalysisKind::other, file);

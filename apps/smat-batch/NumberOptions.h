@@ -59,8 +59,9 @@ class TableFiles {
   public:
     explicit TableFiles(CLI::App& command);
 
-    /// Throws InputError for no file and for an extension that is none of a table.
-    void check(const std::string& example) const;
+    /// Throws InputError for no file, unless the table is printed as JSON, and for an extension
+    /// that is none of a table.
+    void check(const std::string& example, bool isPrinted) const;
     bool isGiven() const { return !files_.empty(); }
     /// Throws InputError with all files that could not be written.
     void checkWritable() const;

@@ -71,7 +71,7 @@ class RadiativeCommand {
     }
 
     int run(Context& context) const {
-        files_.check("spectra.csv");
+        files_.check("spectra.csv", context.json);
         const RadiativeRequest request = requestOf(context);
         irsg::Environment environment;
         {

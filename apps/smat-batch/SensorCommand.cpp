@@ -94,7 +94,7 @@ class SensorTransferCommand {
     }
 
     int run(Context& context) const {
-        files_.check("mtf.csv");
+        files_.check("mtf.csv", context.json);
         numbers_.check();
         const double source_K =
             numbers_.positive("--source-temperature", 300.0, "a temperature above 0 K");
@@ -130,7 +130,7 @@ class SensorResolvableCommand {
     }
 
     int run(Context& context) const {
-        files_.check("mrtd.csv");
+        files_.check("mrtd.csv", context.json);
         numbers_.check();
         ResultTable table = resolvableTemperatureTable(
             irsg::loadSensor(file_), numbersOf("--frequencies", frequencies_),
@@ -166,7 +166,7 @@ class SensorRangeCommand {
     }
 
     int run(Context& context) const {
-        files_.check("ranges.csv");
+        files_.check("ranges.csv", context.json);
         numbers_.check();
         irsg::NominalTarget target;
         target.side_m = numbers_.positive("--target-size", target.side_m, "a length above 0 m");

@@ -19,7 +19,7 @@ class TemperatureProfileCommand {
     }
 
     int run(Context& context) const {
-        files_.check("profile.csv");
+        files_.check("profile.csv", context.json);
         numbers_.check();
         std::vector<irsg::Diagnostic> diagnostics;
         for (const char* option : {"--min", "--max", "--step"})

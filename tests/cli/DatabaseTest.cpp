@@ -143,6 +143,8 @@ TEST(SmatBatchExport, WritesASpectrumAndAMaterialThatCanBeImported) {
         smatBatch({"db", "export", from, folder / "s.csv", "--spectrum", "funnel plume"}).exitCode,
         0);
     EXPECT_EQ(smatBatch({"db", "export", from, folder / "m.csv", "--material", "5"}).exitCode, 0);
+    EXPECT_EQ(smatBatch({"db", "export", from, "--material", "5"}).exitCode, 2);
+    EXPECT_THAT(smatBatch({"db", "export", "--help"}).out, HasSubstr("CSV needs one"));
     EXPECT_EQ(smatBatch({"db", "create", folder / "new.sigdb"}).exitCode, 0);
     EXPECT_EQ(smatBatch({"db", "import", folder / "s.csv", folder / "new.sigdb"}).exitCode, 0);
     const Ran material = smatBatch({"db", "import", folder / "m.csv", folder / "new.sigdb", "--as",

@@ -108,6 +108,15 @@ TEST_F(SmatBatchRadiative, WritesJsonToAFileAndToItsOutput) {
     EXPECT_EQ(json["summary"][0]["label"], "in_band_solar_irradiance");
     EXPECT_EQ(json["summary"][0]["unit"], "W m-2");
     EXPECT_EQ(json["table"], nlohmann::json::parse(contentOf(folder / "s.json")));
+
+    const Ran alone =
+        smatBatch({"radiative", "haze.csv", "--quantity", "sun", "--altitude", "500", "--json"},
+                  folder.path());
+    ASSERT_EQ(alone.exitCode, 0) << alone.err;
+    const auto printed = nlohmann::json::parse(alone.out);
+    EXPECT_TRUE(printed["files"].empty());
+    EXPECT_EQ(printed["summary"], json["summary"]);
+    EXPECT_EQ(printed["table"]["columns"], json["table"]["columns"]);
 }
 
 TEST_F(SmatBatchRadiative, AnImageInExportedAirIsTheImageInTheAirItself) {
