@@ -104,6 +104,59 @@ TEST(SmatBatchObjects, HaveColumnsAtTheirOwnRangesWhoseSumTheTotalIs) {
     EXPECT_NEAR(column(table, "intensity")[0] / column(table, "intensity")[1], 1.0, 5e-3);
 }
 
+// Where a sweep by steps ends if its end is no whole number of steps from its beginning, as the
+// help of its options says.
+TEST(SmatBatchSweep, ByStepsEndsAsItsHelpSays) {
+    const TemporaryFolder folder;
+    struct Row {
+        std::vector<std::string> arguments;
+        const char* column;
+        std::vector<double> expected;
+        const char* help;
+    };
+    const Row rows[] = {
+        {{"time", sphere, "--from", "0", "--to", "1", "--step", "0.3"},
+         "time",
+         {0.0, 0.3, 0.6, 0.9},
+         "the last case is the last step at or before it"},
+        {{"polar", sphere, "--from", "0", "--to", "100", "--step", "30"},
+         "angle",
+         {0.0, 30.0, 60.0, 90.0, 100.0},
+         "Last angle of a sector, which has a case whatever the step"},
+        {{"polar", sphere, "--from", "0", "--to", "1", "--step", "1", "--offset-to", "25"},
+         "elevation",
+         {0.0, 0.0, 10.0, 10.0, 20.0, 20.0},
+         "the last is the last step at or below it"},
+        {{"table", sphere, "--elevation-from", "0", "--elevation-to", "50", "--elevation-step",
+          "40", "--azimuth-step", "180"},
+         "elevation",
+         {0.0, 0.0, 40.0, 40.0, 50.0, 50.0},
+         "Last elevation, which has cases whatever the step"}};
+    for (const Row& row : rows) {
+        SCOPED_TRACE(row.help);
+        std::vector<std::string> arguments = row.arguments;
+        arguments.insert(arguments.end(), {"--out", folder / "a.csv"});
+        const Ran ran = smatBatch(arguments);
+        ASSERT_EQ(ran.exitCode, 0) << ran.err;
+        const ResultTable table = ResultTable::load(folder / "a.csv");
+        const std::vector<double> values = column(table, row.column);
+        ASSERT_EQ(values.size(), row.expected.size());
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            EXPECT_NEAR(values[i], row.expected[i], 1e-9);
+        }
+        // Lines of the help break anywhere.
+        const std::string help = smatBatch({row.arguments.front(), "--help"}).out;
+        std::string words;
+        for (const char c : help) {
+            const bool isBlank = c == ' ' || c == '\n';
+            if (!isBlank || !words.ends_with(' ')) {
+                words += isBlank ? ' ' : c;
+            }
+        }
+        EXPECT_THAT(words, HasSubstr(row.help));
+    }
+}
+
 TEST(SmatBatchSweep, TellsOfATargetThatReachesOutOfTheFrame) {
     const TemporaryFolder folder;
     const Ran ran = smatBatch({"range", sphere, "--from", "10", "--to", "1000", "--points", "4",

@@ -37,14 +37,14 @@ std::vector<SettingInfo> polarSettings() {
         stepsOfPlot(key::polarSteps, key::polarStep, "down to 1/32 of the step"),
         number(key::polarFrom, "--from", "From", "deg", 0, 360, "0", "First angle, of a sector."),
         number(key::polarTo, "--to", "To", "deg", 0, 360, "360",
-               "Last angle of a sector; from 0 to 360 it is a whole turn, whose end is its "
-               "beginning."),
+               "Last angle of a sector, which has a case whatever the step; from 0 to 360 it is a "
+               "whole turn, whose end is its beginning."),
         number(key::polarOffset, "--offset", "View offset", "deg", -90, 90, "0",
                "Elevation of the camera in a camera-azimuth plot."),
         choiceOrNumber(key::polarOffsetTo, "--offset-to", "Last view offset", "deg", {"none"}, -90,
                        90, "none",
                        "Of several camera-azimuth curves, one for each elevation from the view "
-                       "offset on; none: one curve."),
+                       "offset on; the last is the last step at or below it; none: one curve."),
         number(key::polarOffsetStep, "--offset-step", "Step of the view offset", "deg", 0.1, 180,
                "10", "Angle between two of these elevations."),
     };

@@ -62,7 +62,7 @@ std::vector<SettingInfo> tableSettings() {
             "First elevation; of an icosphere the least. lowest: -90, or the first whole "
             "step at which the camera stands above the ground."),
         number(key::tableElevationTo, "--elevation-to", "Elevations to", "deg", -90, 90, "90",
-               "Last elevation; of an icosphere the largest."),
+               "Last elevation, which has cases whatever the step; of an icosphere the largest."),
         integer(key::tableSubdivisions, "--subdivisions", "Subdivisions", "", 0, 7, "3",
                 "Of an icosphere: 10 × 4ⁿ + 2 corners, 642 for 3, some 8 deg apart."),
         list(key::tableRanges, "--ranges", "Ranges", "m", 0, 1e8, "Ranges", "the camera"),

@@ -21,7 +21,8 @@ std::vector<SettingInfo> timeSettings() {
     using namespace rows;
     return {
         number(key::timeFrom, "--from", "From", "s", -1e9, 1e9, "0", "First time."),
-        number(key::timeTo, "--to", "To", "s", -1e9, 1e9, "10", "Last time, included."),
+        number(key::timeTo, "--to", "To", "s", -1e9, 1e9, "10",
+               "Where the times end: the last case is the last step at or before it."),
         number(key::timeStep, "--step", "Step", "s", 1e-6, 1e9, "0.1", "Time between two cases."),
     };
 }
