@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "irsg/core/BinaryFormats.h"
 #include "irsg/core/ColumnWords.h"
 #include "irsg/core/Diagnostics.h"
 #include "irsg/core/FileReading.h"
@@ -122,15 +123,30 @@ std::optional<std::string> unitIn(const CsvCell& cell) {
     return columnUnit(text) ? std::optional(std::string(text)) : std::nullopt;
 }
 
-/// Whether a row holds the units of the names above it, which get them in brackets.
-bool takeUnits(const CsvRow& units, CsvRow& names) {
-    std::vector<std::string> texts;
-    for (const CsvCell& cell : units.cells) {
-        std::optional<std::string> unit = unitIn(cell);
-        if (!unit)
-            return false;
-        texts.push_back(*std::move(unit));
+/// How many cells of a row are units, of those that hold anything.
+struct UnitCount {
+    std::size_t units = 0, cells = 0;
+    bool areAll() const { return units == cells; }
+    bool areMost() const { return 2 * units > cells; }
+};
+UnitCount countUnits(const CsvRow& row) {
+    UnitCount count;
+    for (const CsvCell& cell : row.cells) {
+        count.units += !cell.text.empty() && unitIn(cell) ? 1 : 0;
+        count.cells += cell.text.empty() ? 0 : 1;
     }
+    return count;
+}
+
+/// Whether a row holds the units of the names above it, which get them in brackets: all of its
+/// cells are units, or most are, of which the names have few.
+bool takeUnits(const CsvRow& units, CsvRow& names) {
+    const UnitCount count = countUnits(units);
+    if (!count.areAll() && (!count.areMost() || countUnits(names).areMost()))
+        return false;
+    std::vector<std::string> texts;
+    for (const CsvCell& cell : units.cells)
+        texts.push_back(unitIn(cell).value_or(cell.text));
     for (std::size_t i = 0; i < texts.size() && i < names.cells.size(); ++i)
         if (!texts[i].empty())
             names.cells[i].text += (names.cells[i].text.empty() ? "[" : " [") + texts[i] + "]";
@@ -150,6 +166,12 @@ bool isEmpty(const CsvRow& row) {
         if (!cell.text.empty())
             return false;
     return true;
+}
+
+/// A line drawn below names: -----, =====.
+bool isRule(const CsvRow& row) {
+    return filledWidth(row) == 1 && row.cells.front().text.size() > 2 &&
+           row.cells.front().text.find_first_not_of("-=_+") == std::string::npos;
 }
 
 std::optional<double> numberOr(std::string_view text, Diagnostic diagnostic,
@@ -175,7 +197,8 @@ CsvTable CsvTable::parse(std::string_view bytes, std::string name, CsvHead head)
     std::string_view text = utf8Of(bytes, decoded);
     table.isLatin1_ = !decoded.empty() && !isUtf16(bytes);
     if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos)
-        throw InputError({table.file_, "byte " + std::to_string(nul), "a NUL byte", "plain text"});
+        throw InputError({table.file_, "byte " + std::to_string(nul),
+                          std::string(foundInPlaceOfText(bytes)), "plain text"});
     table.dialect_ = columnDialectOf(text, table.file_);
 
     std::vector<Diagnostic> diagnostics;
@@ -238,17 +261,26 @@ void CsvTable::leaveOutHeadLines() {
     const auto isWords = [](const CsvRow& row) {
         return std::ranges::none_of(row.cells, holdsNumber);
     };
-    const auto numbers = std::ranges::find_if(rows_, [](const CsvRow& row) {
+    const auto isNumbers = [](const CsvRow& row) {
         return std::ranges::all_of(
             row.cells, [](const CsvCell& cell) { return cell.text.empty() || holdsNumber(cell); });
-    });
+    };
+    const auto numbers = std::ranges::find_if(rows_, isNumbers);
     if (numbers == rows_.end() || numbers - rows_.begin() < 2)
         return;
-    const std::size_t width = filledWidth(*numbers);
+    // The first rows of numbers may lack their last cells.
+    std::size_t width = 0;
     auto names = numbers;
-    for (auto row = rows_.begin(); row != numbers; ++row)
-        if (isWords(*row) && filledWidth(*row) == width)
-            names = row;
+    for (auto whole = numbers; whole != rows_.end() && isNumbers(*whole) && names == numbers;
+         ++whole)
+        if (filledWidth(*whole) > width) {
+            width = filledWidth(*whole);
+            for (auto row = rows_.begin(); row != numbers; ++row)
+                if (isWords(*row) && filledWidth(*row) == width)
+                    names = row;
+        }
+    if (names == numbers)
+        width = filledWidth(*numbers);
     const auto above = numbers - 1;
     if (names == numbers && filledWidth(*above) == width && !holdsNumber(above->cells.front()))
         names = above;
@@ -259,6 +291,8 @@ void CsvTable::leaveOutHeadLines() {
         names = rows_.erase(names) - 1;
     headLines_.assign(rows_.begin(), names);
     rows_.erase(rows_.begin(), names);
+    while (rows_.size() > 1 && isRule(rows_[1]))
+        rows_.erase(rows_.begin() + 1);
 }
 
 /// Cells that are empty in every row belong to no column, where they are the last.

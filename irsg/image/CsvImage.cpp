@@ -9,6 +9,7 @@
 #include <set>
 #include <string_view>
 
+#include "irsg/core/BinaryFormats.h"
 #include "irsg/core/ColumnText.h"
 #include "irsg/core/CsvTable.h"
 #include "irsg/core/Errors.h"
@@ -353,7 +354,8 @@ RadianceImage readCsvImage(const std::filesystem::path& file) {
     std::string decoded;
     const std::string_view text = utf8Of(bytes, decoded);
     if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos)
-        throw InputError({file.string(), "byte " + std::to_string(nul), "a NUL byte", "text"});
+        throw InputError({file.string(), "byte " + std::to_string(nul),
+                          std::string(foundInPlaceOfText(bytes)), "text"});
 
     const TextRows rows = rowsOf(text, columnDialectOf(text, file.string()));
     CsvImageParser parser(file.string(), rows);

@@ -1,9 +1,9 @@
 #include "irsg/image/ImageFile.h"
 
-#include <array>
 #include <string_view>
 #include <vector>
 
+#include "irsg/core/BinaryFormats.h"
 #include "irsg/core/Errors.h"
 #include "irsg/core/FileReading.h"
 #include "irsg/core/Remarks.h"
@@ -16,16 +16,6 @@
 namespace irsg {
 
 namespace {
-
-/// How files begin that hold pictures, but no radiance.
-struct Signature {
-    std::string_view bytes, format;
-};
-constexpr std::array<Signature, 5> otherFormats = {{{"\x89PNG", "a PNG picture"},
-                                                    {"\xFF\xD8\xFF", "a JPEG picture"},
-                                                    {"GIF8", "a GIF picture"},
-                                                    {"SIMPLE  =", "a FITS file"},
-                                                    {"SQLite format 3", "a database"}}};
 
 constexpr std::size_t beginningSize = std::size_t{256} << 10;
 
@@ -67,10 +57,10 @@ RadianceImage readImageFile(const std::filesystem::path& file, const ImageReadin
                           "a file without pages", "a TIFF image, or no page"});
     if (format != nullptr)
         return format->read(file, what);
-    for (const Signature& other : otherFormats)
-        if (beginning.starts_with(other.bytes))
-            throw InputError({file.string(), "byte 0", std::string(other.format),
-                              namesOfReadFormats() + ", which hold values and not colours"});
+    if (const BinaryFormat* const other = binaryFormatOf(beginning))
+        throw InputError({file.string(), "byte 0", std::string(other->words),
+                          namesOfReadFormats() +
+                              (other->isPicture ? ", which hold values and not colours" : "")});
     // What is left is text, or refused as such with line and column.
     return readCsvImage(file);
 }

@@ -41,6 +41,38 @@ TEST(Radiosonde, ReadsHumidityInThreeForms) {
     EXPECT_NEAR(mixing.at(0.0).fraction(Gas::H2O), 7745e-6, 1e-15);
 }
 
+TEST(Radiosonde, ReadsTablesAsWeatherServicesPrintThem) {
+    const std::string rule(77, '-');
+    const std::string head = rule +
+                             "\n   PRES   HGHT   TEMP   DWPT   RELH   MIXR   DRCT   SKNT   THTA"
+                             "   THTE   THTV\n    hPa     m      C      C      %    g/kg    deg"
+                             "   knot     K      K      K \n" +
+                             rule + "\n";
+    const std::string levels = " 1013.0      0   15.0    7.0     59   6.20    100     10  287.1"
+                               "  304.6  288.2\n  899.0   1000    8.0   -3.0     46   3.50    110"
+                               "     12  289.8  300.4  290.4\n";
+    const Profile expected = ascentOf("altitude [m],pressure [hPa],temperature [C],dew_point [C]\n"
+                                      "0,1013,15,7\n1000,899,8,-3\n");
+    const std::string tails[] = {
+        "", "Station information and sounding indices\n\n  Station identifier: ABCD\n"};
+    for (const std::string& tail : tails) {
+        for (const char* below : {"", " 1030.0   -140\n"}) {
+            const CollectedRemarks remarks;
+            const Profile air = ascentOf(head + below + levels + tail);
+            for (const double altitude_m : {0.0, 400.0, 1000.0, 3000.0}) {
+                EXPECT_EQ(air.at(altitude_m).pressure_hPa, expected.at(altitude_m).pressure_hPa);
+                EXPECT_EQ(air.at(altitude_m).temperature_K, expected.at(altitude_m).temperature_K);
+                EXPECT_EQ(air.at(altitude_m).fraction(Gas::H2O),
+                          expected.at(altitude_m).fraction(Gas::H2O));
+            }
+            const std::string all = testing::PrintToString(remarks.sentences());
+            EXPECT_THAT(all, HasSubstr("leaves out 'MIXR [g/kg]', 'DRCT [deg]'"));
+            EXPECT_THAT(all, HasSubstr("'RELH [%]'"));
+            EXPECT_EQ(all.find("1 levels that lack") != all.npos, *below != '\0') << all;
+        }
+    }
+}
+
 TEST(Radiosonde, SaysWhereHumiditiesAreRatherFractions) {
     const auto remarksOn = [](const char* first, const char* second) {
         const CollectedRemarks remarks;

@@ -108,6 +108,13 @@ TEST_P(BadFiles, AreRefusedWithTheirNameAndWhatIsWrong) {
 INSTANTIATE_TEST_SUITE_P(
     OfImages, BadFiles,
     testing::Values(Bad{"png", "\x89PNG\r\n\x1a\n0000", {"PNG", "OpenEXR image"}},
+                    Bad{"matlab",
+                        "MATLAB 5.0 MAT-file" + std::string(9, '\0'),
+                        {"found a MATLAB file", "OpenEXR image"}},
+                    Bad{"netcdf4",
+                        "\x89HDF\r\n\x1a\n" + std::string(4, '\0'),
+                        {"found a netCDF or HDF5 file", "OpenEXR image"}},
+                    Bad{"netcdf3", std::string("CDF\1\0\0", 6), {"found a netCDF file"}},
                     Bad{"jpeg", "\xFF\xD8\xFF\xE0 JFIF", {"JPEG"}}, Bad{"empty", "", {"no number"}},
                     Bad{"word", "1,2\n3,hot\n", {"line 2", "hot"}},
                     Bad{"ragged", "1,2\n3\n", {"line 2"}},

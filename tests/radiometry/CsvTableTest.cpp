@@ -101,6 +101,32 @@ TEST(CsvTable, BeginsWithTheRowOfNamesUnderItsHeadLines) {
     EXPECT_EQ(CsvTable::parse("title\nx,y\n1,2\n", "f.csv", CsvHead::all).rows().size(), 3u);
 }
 
+TEST(CsvTable, FindsNamesAboveRulesAndRowsThatLackTheirLastCells) {
+    const CsvTable table =
+        CsvTable::parse("-----\n a b c\n m K g/kg\n=====\n 1 2\n 1 2 3\n 4 5 6\n", "f.txt");
+    ASSERT_EQ(table.rows().size(), 4U);
+    EXPECT_EQ(texts(table.rows()[0]), (Texts{"a [m]", "b [K]", "c [g/kg]"}));
+    EXPECT_EQ(texts(table.rows()[1]), (Texts{"1", "2"}));
+    EXPECT_EQ(texts(table.rows()[2]), (Texts{"1", "2", "3"}));
+}
+
+TEST(CsvTable, TakesARowForUnitsOfWhichMostAreKnown) {
+    const auto names = [](const std::string& text) {
+        const CsvTable table = CsvTable::parse(text, "f.csv");
+        std::vector<std::string> all;
+        for (const CsvCell& cell : table.rows().front().cells) {
+            all.push_back(cell.text);
+        }
+        return all;
+    };
+    EXPECT_EQ(names("a,b,c\nm,K,g/kg\n1,2,3\n4,5,6\n"),
+              (std::vector<std::string>{"a [m]", "b [K]", "c [g/kg]"}));
+    EXPECT_EQ(names("a,b,c\nm,cold,warm\n1,2,3\n4,5,6\n"),
+              (std::vector<std::string>{"m", "cold", "warm"}));
+    EXPECT_EQ(names("s,K,c\nm,K,g/kg\n1,2,3\n4,5,6\n"),
+              (std::vector<std::string>{"m", "K", "g/kg"}));
+}
+
 TEST(CsvTable, PutsARowOfUnitsBehindTheNames) {
     for (const char* units : {"um,%", "(um),(%)", "[um],[%]"}) {
         const CsvTable table =
@@ -150,6 +176,9 @@ TEST(CsvTable, RefusesWhatIsNotAReadableTextTable) {
                 HasSubstr("found a folder"));
     EXPECT_THAT(smat::test::refusalOf([] { CsvTable::parse(std::string("ab\0c", 4), "f.csv"); }),
                 HasSubstr("f.csv: byte 2: found a NUL byte"));
+    EXPECT_THAT(smat::test::refusalOf(
+                    [] { CsvTable::parse("MATLAB 5.0 MAT-file" + std::string(3, '\0'), "f.csv"); }),
+                HasSubstr("f.csv: byte 19: found a MATLAB file, expected plain text"));
     EXPECT_THAT(smat::test::refusalOf([] { CsvTable::parse("a,\"b\n\"c,d\nx,\"y\"\n", "f.csv"); }),
                 testing::AllOf(HasSubstr("f.csv: line 1: found 'a,\"b', expected a closing quote"),
                                HasSubstr("f.csv: line 2"), testing::Not(HasSubstr("line 3"))));

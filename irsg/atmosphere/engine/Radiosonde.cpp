@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -54,9 +55,34 @@ constexpr std::array<std::string_view, gasCount> gasHeaders = {
     "h2o [ppmv]", "co2 [ppmv]", "o3 [ppmv]", "n2o [ppmv]",
     "co [ppmv]",  "ch4 [ppmv]", "o2 [ppmv]", "hno3 [ppmv]"};
 
+/// Names of columns in the tables of soundings that weather services print (University of Wyoming),
+/// and ours; "" for those that no profile needs.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 12> printedNames = {
+    {{"pres", "pressure"},
+     {"hght", "altitude"},
+     {"temp", "temperature"},
+     {"dwpt", "dew_point"},
+     {"relh", "relative_humidity"},
+     {"mixr", ""},
+     {"drct", ""},
+     {"sknt", ""},
+     {"sped", ""},
+     {"thta", ""},
+     {"thte", ""},
+     {"thtv", ""}}};
+
+/// The name of ours for that of a printed table; no value for other names.
+std::optional<std::string_view> printedName(const ColumnHead& head) {
+    const auto found = std::ranges::find(printedNames, head.name,
+                                         &std::pair<std::string_view, std::string_view>::first);
+    return found == printedNames.end() ? std::nullopt : std::optional(found->second);
+}
+
 /// The column that a head means.
 const ProfileColumn* columnOf(std::string_view header) {
-    const ColumnHead head = columnHead(header);
+    ColumnHead head = columnHead(header);
+    if (const auto printed = printedName(head))
+        head.name = *printed;
     const auto found = std::ranges::find_if(
         columns, [&](const ProfileColumn& one) { return columnHead(one.header) == head; });
     return found == columns.end() ? nullptr : &*found;
@@ -76,11 +102,12 @@ class Ascent {
         : table_(CsvTable::read(file)), background_(background), ground_m_(ground_m) {
         readHeader();
         refuse();
-        for (std::size_t i = 1; i < table_.rows().size(); ++i)
-            readRow(table_.rows()[i]);
-        if (table_.rows().size() < 3)
+        const std::span<const CsvRow> rows = rowsOfAscent();
+        for (const CsvRow& row : rows)
+            readRow(row);
+        if (rows.size() < 2)
             diagnostics_.push_back(table_.diagnostic(
-                std::to_string(table_.rows().size() - 1) + " rows of numbers", "at least two"));
+                std::to_string(rows.size()) + " rows of numbers", "at least two"));
         refuse();
         humidities_.remark(table_.file());
         remarkOnFractions();
@@ -113,8 +140,15 @@ class Ascent {
             return;
         }
         const CsvRow& header = table_.rows().front();
+        isPrinted_ = std::ranges::any_of(
+            header.cells, [](const CsvCell& cell) { return columnHead(cell.text).name == "hght"; });
+        std::string leftOut;
         for (std::size_t i = 0; i < header.cells.size(); ++i) {
             const CsvCell& cell = header.cells[i];
+            if (isPrinted_ && printedName(columnHead(cell.text)) == "") {
+                leftOut += (leftOut.empty() ? "'" : ", '") + cell.text + "'";
+                continue;
+            }
             const ProfileColumn* column = columnOf(cell.text);
             if (column == nullptr) {
                 std::vector<std::string_view> known;
@@ -125,6 +159,15 @@ class Ascent {
                 diagnostics_.push_back(table_.diagnostic(cell, "each column once"));
             }
         }
+        if (cells_.contains("dew_point [C]") && isPrinted_)
+            if (const auto humidity = cells_.find("relative_humidity [%]");
+                humidity != cells_.end()) {
+                leftOut +=
+                    (leftOut.empty() ? "'" : ", '") + header.cells[humidity->second].text + "'";
+                cells_.erase(humidity);
+            }
+        if (!leftOut.empty())
+            remarkOn(table_.file(), "leaves out " + leftOut);
         for (const auto& group : groups) {
             const auto count = std::ranges::count_if(
                 group, [&](std::string_view name) { return cells_.contains(name); });
@@ -133,6 +176,31 @@ class Ascent {
                                                          std::to_string(count) + " such columns",
                                                          "one column " + quoted(group, " or ")));
         }
+    }
+
+    /// The rows of numbers, from the first level on. Of a printed table without levels that lack
+    /// values (below the ground, say), and up to the text behind it.
+    std::span<const CsvRow> rowsOfAscent() const {
+        std::span<const CsvRow> rows = std::span(table_.rows()).subspan(1);
+        if (!isPrinted_)
+            return rows;
+        const std::size_t width = table_.rows().front().cells.size();
+        const auto end = std::ranges::find_if(
+            rows, [](const CsvRow& row) { return !parseNumber(row.cells.front().text); });
+        rows = rows.first(static_cast<std::size_t>(end - rows.begin()));
+        std::size_t incomplete = 0;
+        while (!rows.empty() && rows.front().cells.size() < width) {
+            rows = rows.subspan(1);
+            ++incomplete;
+        }
+        while (!rows.empty() && rows.back().cells.size() < width) {
+            rows = rows.first(rows.size() - 1);
+            ++incomplete;
+        }
+        if (incomplete > 0)
+            remarkOn(table_.file(), "leaves out " + std::to_string(incomplete) +
+                                        " levels that lack values at the ends of the ascent");
+        return rows;
     }
 
     void readRow(const CsvRow& row) {
@@ -259,6 +327,7 @@ class Ascent {
     std::map<std::string_view, std::size_t> cells_;
     std::map<std::string_view, double> values_;
     double mostHumid_percent_ = 0.0;
+    bool isPrinted_ = false; ///< a table as weather services print it
     std::vector<AtmosphericState> levels_;
     std::vector<Diagnostic> diagnostics_;
 };

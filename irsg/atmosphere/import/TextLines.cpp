@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "irsg/core/BinaryFormats.h"
 #include "irsg/core/ColumnText.h"
 #include "irsg/core/CsvTable.h"
 #include "irsg/core/FileReading.h"
@@ -20,8 +21,8 @@ std::string readTextFile(const std::filesystem::path& file) {
     if (std::string decoded = decodedUtf16(text); !decoded.empty())
         text = std::move(decoded);
     if (const std::size_t zero = text.find('\0'); zero != std::string::npos) {
-        throw InputError(
-            {file.string(), "byte " + std::to_string(zero), "a NUL byte", "text, not binary data"});
+        throw InputError({file.string(), "byte " + std::to_string(zero),
+                          std::string(foundInPlaceOfText(text)), "text, not binary data"});
     }
     return text;
 }
@@ -32,8 +33,8 @@ TextLines TextLines::read(const std::filesystem::path& file) {
 
 TextLines TextLines::parse(std::string_view text, std::string file) {
     if (const std::size_t zero = text.find('\0'); zero != text.npos) {
-        throw InputError(
-            {file, "byte " + std::to_string(zero), "a NUL byte", "text, not binary data"});
+        throw InputError({file, "byte " + std::to_string(zero),
+                          std::string(foundInPlaceOfText(text)), "text, not binary data"});
     }
     TextLines result{std::move(file), {}};
     for (text = withoutByteOrderMark(text); !text.empty();) {
