@@ -1,6 +1,7 @@
 #include "irsg/image/GdalTags.h"
 
 #include <cstdint>
+#include <limits>
 #include <string_view>
 
 #include "irsg/core/CsvTable.h"
@@ -29,17 +30,31 @@ std::string textOf(TIFF* tiff, std::uint32_t tag) {
 
 } // namespace
 
-GdalTags gdalTagsOf(TIFF* tiff, const std::string& file, const std::string& page) {
-    GdalTags tags;
+void takeGdalTags(TIFF* tiff, RadianceImage& image, std::size_t firstPlane, const std::string& file,
+                  const std::string& page) {
     const std::string metadata = textOf(tiff, metadataTag);
-    tags.hasScale = metadata.find("role=\"scale\"") != std::string::npos ||
-                    metadata.find("role=\"offset\"") != std::string::npos;
-    const std::string missing = textOf(tiff, missingTag);
-    tags.missing = parseNumber(missing);
-    if (!tags.missing && !missing.empty() && lowerCase(missing) != "nan")
-        remarkOn(file, page + ": GDAL_NODATA '" + missing.substr(0, 40) +
-                           "' is no number and is left out");
-    return tags;
+    if (metadata.find("role=\"scale\"") != std::string::npos ||
+        metadata.find("role=\"offset\"") != std::string::npos)
+        remarkOn(file, page + ": scale and offset of GDAL_METADATA are left out; values are as "
+                              "stored");
+    const std::string text = textOf(tiff, missingTag);
+    const auto stored = parseNumber(text);
+    if (!stored && !text.empty() && lowerCase(text) != "nan")
+        remarkOn(file,
+                 page + ": GDAL_NODATA '" + text.substr(0, 40) + "' is no number and is left out");
+    if (!stored)
+        return;
+    const auto missing = static_cast<float>(*stored);
+    std::size_t count = 0;
+    for (std::size_t i = firstPlane; i < image.channels.size(); ++i)
+        for (float& value : image.channels[i].values)
+            if (value == missing) {
+                value = std::numeric_limits<float>::quiet_NaN();
+                ++count;
+            }
+    if (count > 0)
+        remarkOn(file, page + ": " + std::to_string(count) +
+                           " values are GDAL_NODATA and are read as NaN");
 }
 
 } // namespace irsg

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <limits>
 
 #include <Imath/half.h>
 #include <tiffio.h>
@@ -289,28 +288,7 @@ class TiffReader {
             image.channel(plane, text.plane["unit"]);
         }
         readValues(image, first, layout, page);
-        takeGdalTags(image, first, page);
-    }
-
-    /// Values of a page that stand for none become NaN.
-    void takeGdalTags(RadianceImage& image, std::size_t firstPlane, const std::string& page) const {
-        const GdalTags tags = gdalTagsOf(tiff_.get(), name_, page);
-        if (tags.hasScale)
-            remarkOn(name_, page + ": scale and offset of GDAL_METADATA are left out; values are "
-                                   "as stored");
-        if (!tags.missing)
-            return;
-        const auto missing = static_cast<float>(*tags.missing);
-        std::size_t count = 0;
-        for (std::size_t i = firstPlane; i < image.channels.size(); ++i)
-            for (float& value : image.channels[i].values)
-                if (value == missing) {
-                    value = std::numeric_limits<float>::quiet_NaN();
-                    ++count;
-                }
-        if (count > 0)
-            remarkOn(name_, page + ": " + std::to_string(count) +
-                                " values are GDAL_NODATA and are read as NaN");
+        takeGdalTags(tiff_.get(), image, first, name_, page);
     }
 
     AttributeText descriptionOf() const {

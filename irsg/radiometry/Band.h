@@ -18,9 +18,10 @@ class Band {
     static Band fromResponse(Spectrum response, std::string name = "response");
     /// Reads a table of two columns (CsvTable): the axis, ascending or descending, with a head of
     /// spectralHead(), and the response. Without a head or a unit the axis is what its values tell
-    /// (axisOfValues), with a remark. A response is from 0 to 1, under a head with % to 100; down to
-    /// -0.005 of the largest is 0 and up to 1.005 is 1, with a remark. Filter files of MODTRAN are
-    /// read as well, of several channels the first. Throws InputError naming file, line and value.
+    /// (axisOfValues), with a remark. A response is from 0 to 1, under a head with % to 100; down
+    /// to -0.005 of the largest is 0 and up to 1.005 is 1, with a remark. Filter files of MODTRAN
+    /// are read as well, of several channels the first. Throws InputError naming file, line and
+    /// value.
     static Band fromCsv(const std::filesystem::path& file);
     /// "3-5" in um. Throws InputError.
     static Band fromText(const std::string& text);
