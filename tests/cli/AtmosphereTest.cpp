@@ -289,7 +289,7 @@ TEST(SmatBatchAtmosphere, InfoOfAnEnvironmentListsItsAtmospheresInTheOrderTheyAr
     EXPECT_EQ(ran.exitCode, 0) << ran.err;
     EXPECT_THAT(ran.out, HasSubstr("sun at azimuth 0 deg, elevation 30 deg"));
     EXPECT_THAT(ran.out, HasSubstr("default background from 3 to 5 um, 2 nodes"));
-    EXPECT_THAT(ran.out, HasSubstr("2 atmospheres; the first that has a quantity"));
+    EXPECT_THAT(ran.out, HasSubstr("2 atmospheres; the first that provides a quantity"));
     EXPECT_THAT(ran.out, HasSubstr("1. SMARTI (priority 1): AtmosphereSmart (air.xml)\n"
                                    "       base 3 to 5 um"));
     EXPECT_THAT(ran.out, HasSubstr("2. rest (priority 5): Beer-Lambert (haze.csv)\n"

@@ -201,7 +201,7 @@ TEST(SmatBatch, ConvertClosesShellsThatBecomeZonesOfGas) {
     const Ran turned =
         smatBatch({"convert", "turned.obj", "none.osgb", "--zones", "gas.sigdb"}, folder.path());
     EXPECT_EQ(turned.exitCode, 2);
-    EXPECT_THAT(turned.err, HasSubstr("turned over"));
+    EXPECT_THAT(turned.err, HasSubstr("turned to opposite sides"));
     EXPECT_FALSE(std::filesystem::exists(folder / "none.osgb"));
     database.materials[1].gasPressure_atm = 0.0;
     irsg::saveSignatureFile(database, folder / "solid.sigdb");

@@ -254,7 +254,7 @@ TEST_F(SmatBatchPlume, IsNotOneZoneAsLongAsItsColdEnd) {
     const Ran ran = run({"--bound", "1", "--out", "plume.obj"});
     EXPECT_EQ(ran.exitCode, 2);
     EXPECT_THAT(ran.err, HasSubstr("--bound: found 1"));
-    EXPECT_THAT(ran.err, HasSubstr("as long as the cold end"));
+    EXPECT_THAT(ran.err, HasSubstr("a single zone up to the cold end"));
 }
 
 TEST_F(SmatBatchPlume, NamesEveryWrongOption) {

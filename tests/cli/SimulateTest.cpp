@@ -168,16 +168,16 @@ TEST(SmatBatchSimulate, TellsOfWhatIsCutOffAndNotOfWhatNobodySees) {
     // The near box fills the frame and more; the one behind the sensor has sums of 0.
     const TemporaryFolder folder;
     write(folder / "s.json",
-          scenarioOf(entity("near", "box", R"("position_m": [0, 40, 100])") + "," +
+          scenarioOf(entity("near", "box", R"("position_m": [0, 12, 100])") + "," +
                          entity("behind", "box", R"("position_m": [0, -500, 100])") + "," +
                          entity("far", "box", R"("position_m": [0, 5000, 100])"),
                      south, R"("dt_s": 1, "end_s": 0)"));
     const Ran ran = simulated(folder);
     ASSERT_EQ(ran.exitCode, 0) << ran.err;
-    EXPECT_THAT(ran.err, HasSubstr("near reaches beyond the frame; what lies outside is not in the "
+    EXPECT_THAT(ran.out, HasSubstr("near reaches beyond the frame; what lies outside is not in the "
                                    "sums"));
-    EXPECT_THAT(ran.err, Not(HasSubstr("behind reaches")));
-    EXPECT_THAT(ran.err, Not(HasSubstr("far reaches")));
+    EXPECT_THAT(ran.out, Not(HasSubstr("behind reaches")));
+    EXPECT_THAT(ran.out, Not(HasSubstr("far reaches")));
 }
 
 TEST(SmatBatchSimulate, WritesOnlyBandAndAirAboveAPicture) {
