@@ -22,11 +22,14 @@ class GasSums {
         bool isSeen = false;
     };
 
-    void add(int stack, const SurfaceRows::Between& between, const GasWalk::Emission& one) {
+    /// `share`: what the sample counts beside others.
+    void add(int stack, const SurfaceRows::Between& between, const GasWalk::Emission& one,
+             double share = 1.0) {
         const auto next = static_cast<double>(between.next);
-        addTo(stack, between.row, one, one.before.weight * (1.0 - next));
+        const double weight = share * one.before.weight;
+        addTo(stack, between.row, one, weight * (1.0 - next));
         if (next > 0.0)
-            addTo(stack, between.row + 1, one, one.before.weight * next);
+            addTo(stack, between.row + 1, one, weight * next);
     }
     /// Calls visit(number, place) for the places that were seen since the last time, which begin
     /// anew. A place keeps its number.

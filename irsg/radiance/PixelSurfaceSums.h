@@ -38,9 +38,13 @@ class PixelSurfaceSums {
     void goTo(int x, int y, double weight) {
         endGas();
         part_ = weight * share_;
+        ofSample_ = 1.0;
         cell_ = static_cast<std::size_t>(y - pixels_.y) * static_cast<std::size_t>(pixels_.width) +
                 static_cast<std::size_t>(x - pixels_.x);
     }
+
+    /// Samples that are added now count so much beside others of their pixel.
+    void setShare(double share) { ofSample_ = share; }
 
     void add(int stack, const SurfaceRows::Between& between, const GeometrySamples::Layer& layer) {
         const float* factors = layer.factors.data();
@@ -92,7 +96,7 @@ class PixelSurfaceSums {
     }
     /// What gas emits is divided among its columns pixel by pixel.
     void addGas(int stack, const SurfaceRows::Between& between, const GasWalk::Emission& gas) {
-        gas_.add(stack, between, gas);
+        gas_.add(stack, between, gas, ofSample_);
     }
     void finishGas(LayerWalk&) { endGas(); }
     void finish() {}
@@ -107,6 +111,7 @@ class PixelSurfaceSums {
         return static_cast<std::size_t>(pixels.width) * static_cast<std::size_t>(pixels.height);
     }
     void endGas() {
+        ofSample_ = 1.0; // which its sums hold already
         constexpr std::array<float, mostFactors> ones = [] {
             std::array<float, mostFactors> all{};
             all.fill(1.0f);
@@ -124,7 +129,7 @@ class PixelSurfaceSums {
         exchange_->forEachReceiver(at.cell, at.u, at.v, [&](std::uint32_t receiver, float part) {
             const int number = receivers_.numberOf(kind.row, exchange_->localOf(receiver));
             *light_.at(cell_, light_.kindOf({kind.stack, number})) +=
-                weight * part_ * static_cast<double>(part);
+                weight * part_ * ofSample_ * static_cast<double>(part);
         });
     }
     void addTo(const SurfaceStackId& kind, double weight, const float* factors,
@@ -137,7 +142,7 @@ class PixelSurfaceSums {
         if (number < 0)
             number = field_.kindOf(kind);
         double* sums = field_.at(cell_, number);
-        const double own = weight * part_;
+        const double own = weight * part_ * ofSample_;
         sums[0] += coverage * own;
         for (std::size_t f = 0; f < factorCount_; ++f)
             sums[1 + f] += own * static_cast<double>(factors[f]);
@@ -153,9 +158,9 @@ class PixelSurfaceSums {
     double share_;
     GeometryBuffer<double> field_; // float would round thousands of samples of a pixel
     GeometryBuffer<double> light_;
-    std::vector<int> numbers_; // of the field, by front and row
-    GasSums gas_;              // since the pixel was gone to
-    double part_ = 0.0;
+    std::vector<int> numbers_;           // of the field, by front and row
+    GasSums gas_;                        // since the pixel was gone to
+    double part_ = 0.0, ofSample_ = 1.0; ///< of a sample on the mean; beside that
     std::size_t cell_ = 0;
 };
 

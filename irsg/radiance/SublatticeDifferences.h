@@ -76,6 +76,12 @@ class SublatticeDifferences {
             corrections_[k].goTo(classes_[0], signs[k] * (wanted[k] / weight_ - 1.0));
     }
 
+    void setShare(double share) {
+        now_->setShare(share);
+        if (isCorrected_)
+            for (ViewSurfaceSums<Factors>& sums : corrections_)
+                sums.setShare(share);
+    }
     void add(int front, const SurfaceRows::Between& between, const GeometrySamples::Layer& layer) {
         now_->add(front, between, layer);
         if (isCorrected_)

@@ -5,6 +5,8 @@
 #include <limits>
 #include <optional>
 
+#include "irsg/render/sampling/OffAxisShares.h"
+
 namespace irsg {
 
 namespace {
@@ -17,10 +19,11 @@ const char* const radianceUnit = "W m-2 sr-1";
 
 } // namespace
 
-TruthLayers::TruthLayers(const SceneRadiometry& radiometry, SurfaceRadianceTable& radiances,
-                         OccluderStacks& occluderStacks, const FrameBackground& background,
-                         SceneLight* light, RadianceImage& image)
-    : radiometry_(radiometry),
+TruthLayers::TruthLayers(const Sensor& sensor, const SceneRadiometry& radiometry,
+                         SurfaceRadianceTable& radiances, OccluderStacks& occluderStacks,
+                         const FrameBackground& background, SceneLight* light, RadianceImage& image)
+    : grid_(sensor),
+      radiometry_(radiometry),
       radiances_(radiances),
       occluderStacks_(occluderStacks),
       background_(background),
@@ -95,82 +98,89 @@ void TruthLayers::add(const SampleTile& tile, const GeometrySamples& samples) {
         sunVisibility = &image_.channel(sunVisibilityChannel).values;
 
     std::vector<double> sums(planes.size());
-    tile.forEachRun([&](std::size_t first, int count, int x, int y, double weight) {
-        const std::size_t pixel = image_.offset(x, y);
-        const std::size_t last = first + static_cast<std::size_t>(count);
-        std::ranges::fill(sums, 0.0);
-        for (std::size_t i = first; i < last; ++i) {
-            const std::size_t standing = samples.standingFor(i, tile.stride());
-            if (samples.isEmpty(standing))
-                continue;
-            std::optional<GeometrySamples::Layer> nearest;
-            const auto addReceived = [&](const SurfaceStackId& kind, float part,
-                                         const GeometrySamples::Layer& layer) {
-                const SurfaceStackTerms& known = termsOf(kind);
-                if (!known.light || !layer.place)
-                    return;
-                const SceneLight::AtReceiver at =
-                    lightAt(light_->exchange(), *known.light, *layer.place);
-                const double of = static_cast<double>(part) * static_cast<double>(layer.coverage);
-                if (light_->skyTerm() >= 0)
-                    sums[static_cast<std::size_t>(light_->skyTerm())] += of * at[0];
-                if (light_->groundTerm() >= 0)
-                    sums[static_cast<std::size_t>(light_->groundTerm())] += of * at[1];
-                sums[ofOthers] += of * at[2];
-            };
-            walk_.forEachLayer(
-                samples, standing,
-                [&](const SurfaceStackId& kind, float part, const GeometrySamples::Layer& layer) {
-                    if (!nearest)
-                        nearest = layer;
+    const OffAxisShares shares(tile, grid_);
+    shares.forEachRun(
+        0, tile.height(), [&](std::size_t first, int count, int x, int y, double weight) {
+            const std::size_t pixel = image_.offset(x, y);
+            const std::size_t last = first + static_cast<std::size_t>(count);
+            std::ranges::fill(sums, 0.0);
+            for (std::size_t i = first; i < last; ++i) {
+                const std::size_t standing = samples.standingFor(i, tile.stride());
+                if (samples.isEmpty(standing))
+                    continue;
+                std::optional<GeometrySamples::Layer> nearest;
+                const auto addReceived = [&](const SurfaceStackId& kind, float part,
+                                             const GeometrySamples::Layer& layer) {
                     const SurfaceStackTerms& known = termsOf(kind);
-                    for (std::size_t k = 0; k < list.size(); ++k) {
-                        const TermGeometryFactor& factor = list[k].factor;
-                        const auto coverage = static_cast<double>(layer.coverage);
-                        double drawn = coverage;
-                        if (factor.drawn >= 0)
-                            drawn = static_cast<double>(
-                                layer.factors[static_cast<std::size_t>(factor.drawn)]);
-                        if (factor.complement)
-                            drawn = coverage - drawn;
-                        sums[k] += static_cast<double>(part) * drawn * known.terms[k];
-                    }
-                    addReceived(kind, part, layer);
-                    sums.back() -= static_cast<double>(part * layer.coverage) * known.opacity *
-                                   background_.behindAt(x, y);
-                },
-                addReceived);
+                    if (!known.light || !layer.place)
+                        return;
+                    const SceneLight::AtReceiver at =
+                        lightAt(light_->exchange(), *known.light, *layer.place);
+                    const double of =
+                        static_cast<double>(part) * static_cast<double>(layer.coverage);
+                    if (light_->skyTerm() >= 0)
+                        sums[static_cast<std::size_t>(light_->skyTerm())] += of * at[0];
+                    if (light_->groundTerm() >= 0)
+                        sums[static_cast<std::size_t>(light_->groundTerm())] += of * at[1];
+                    sums[ofOthers] += of * at[2];
+                };
+                walk_.forEachLayer(
+                    samples, standing,
+                    [&](const SurfaceStackId& kind, float part,
+                        const GeometrySamples::Layer& layer) {
+                        if (!nearest)
+                            nearest = layer;
+                        const SurfaceStackTerms& known = termsOf(kind);
+                        for (std::size_t k = 0; k < list.size(); ++k) {
+                            const TermGeometryFactor& factor = list[k].factor;
+                            const auto coverage = static_cast<double>(layer.coverage);
+                            double drawn = coverage;
+                            if (factor.drawn >= 0)
+                                drawn = static_cast<double>(
+                                    layer.factors[static_cast<std::size_t>(factor.drawn)]);
+                            if (factor.complement)
+                                drawn = coverage - drawn;
+                            sums[k] += static_cast<double>(part) * drawn * known.terms[k];
+                        }
+                        addReceived(kind, part, layer);
+                        sums.back() -= static_cast<double>(part * layer.coverage) * known.opacity *
+                                       background_.behindAt(x, y);
+                    },
+                    addReceived);
 
-            if (!nearest) // a gas that it only touches
-                continue;
-            // GL's rows run from the bottom up.
-            const std::size_t drawn = i - tile.firstSample;
-            const int row = tile.height() - 1 - static_cast<int>(drawn / tile.stride());
-            const auto drawnColumn = static_cast<double>(drawn % tile.stride());
-            const double column = drawnColumn - tile.shift(row);
-            const double right_px = place.left + (column + 0.5) * across_px - (x + 0.5);
-            const double below_px =
-                place.top + (row + 0.5 + tile.drop(drawnColumn)) * down_px - (y + 0.5);
-            const auto off_px = static_cast<float>(std::hypot(right_px, below_px));
-            if (off_px < offMiddle_px_[pixel]) {
-                offMiddle_px_[pixel] = off_px;
-                const auto& [entity, codes] = rows.keys()[static_cast<std::size_t>(nearest->row)];
-                if (objectIndex != nullptr)
-                    (*objectIndex)[pixel] = static_cast<float>(entity);
-                temperatureIndex[pixel] = static_cast<float>(codes.temperature);
-                materialIndex[pixel] = static_cast<float>(codes.material);
-                range[pixel] = standing == i ? nearest->distance_m : samples.distances_m[i];
+                if (!nearest) // a gas that it only touches
+                    continue;
+                // GL's rows run from the bottom up.
+                const std::size_t drawn = i - tile.firstSample;
+                const int row = tile.height() - 1 - static_cast<int>(drawn / tile.stride());
+                const auto drawnColumn = static_cast<double>(drawn % tile.stride());
+                const double column = drawnColumn - tile.shift(row);
+                const double right_px = place.left + (column + 0.5) * across_px - (x + 0.5);
+                const double below_px =
+                    place.top + (row + 0.5 + tile.drop(drawnColumn)) * down_px - (y + 0.5);
+                const auto off_px = static_cast<float>(std::hypot(right_px, below_px));
+                if (off_px < offMiddle_px_[pixel]) {
+                    offMiddle_px_[pixel] = off_px;
+                    const auto& [entity, codes] =
+                        rows.keys()[static_cast<std::size_t>(nearest->row)];
+                    if (objectIndex != nullptr)
+                        (*objectIndex)[pixel] = static_cast<float>(entity);
+                    temperatureIndex[pixel] = static_cast<float>(codes.temperature);
+                    materialIndex[pixel] = static_cast<float>(codes.material);
+                    range[pixel] = standing == i ? nearest->distance_m : samples.distances_m[i];
+                }
             }
-        }
-        for (std::size_t i = first; skyVisibility && i < last; ++i)
-            (*skyVisibility)[pixel] += static_cast<float>(weight * share) *
-                                       samples.skyVisibility[samples.standingFor(i, tile.stride())];
-        for (std::size_t i = first; sunVisibility && i < last; ++i)
-            (*sunVisibility)[pixel] += static_cast<float>(weight * share) *
-                                       samples.sunVisibility[samples.standingFor(i, tile.stride())];
-        for (std::size_t term = 0; term < planes.size(); ++term)
-            (*planes[term])[pixel] += static_cast<float>(sums[term] * weight * share);
-    });
+            for (std::size_t i = first; skyVisibility && i < last; ++i)
+                (*skyVisibility)[pixel] +=
+                    static_cast<float>(weight * share) *
+                    samples.skyVisibility[samples.standingFor(i, tile.stride())];
+            for (std::size_t i = first; sunVisibility && i < last; ++i)
+                (*sunVisibility)[pixel] +=
+                    static_cast<float>(weight * share) *
+                    samples.sunVisibility[samples.standingFor(i, tile.stride())];
+            for (std::size_t term = 0; term < planes.size(); ++term)
+                (*planes[term])[pixel] += static_cast<float>(sums[term] * weight * share);
+        });
 }
 
 } // namespace irsg

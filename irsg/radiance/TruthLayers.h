@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "irsg/geometry/view/FrameBackground.h"
+#include "irsg/geometry/view/PixelGrid.h"
 #include "irsg/image/RadianceImage.h"
 #include "irsg/radiance/LayerWalk.h"
 #include "irsg/radiance/SurfaceRadianceTable.h"
@@ -29,9 +30,9 @@ class TruthLayers {
   public:
     /// `image` must outlive this and have the size of the sensor, the others must live as long.
     /// `light`: between surfaces, or null.
-    TruthLayers(const SceneRadiometry& radiometry, SurfaceRadianceTable& radiances,
-                OccluderStacks& occluderStacks, const FrameBackground& background,
-                SceneLight* light, RadianceImage& image);
+    TruthLayers(const Sensor& sensor, const SceneRadiometry& radiometry,
+                SurfaceRadianceTable& radiances, OccluderStacks& occluderStacks,
+                const FrameBackground& background, SceneLight* light, RadianceImage& image);
 
     /// Samples with the distances of their opaque surfaces.
     void add(const SampleTile& tile, const GeometrySamples& samples);
@@ -44,6 +45,7 @@ class TruthLayers {
     };
     const SurfaceStackTerms& termsOf(const SurfaceStackId& kind);
 
+    PixelGrid grid_;
     const SceneRadiometry& radiometry_;
     SurfaceRadianceTable& radiances_;
     OccluderStacks& occluderStacks_;

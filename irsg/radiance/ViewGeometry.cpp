@@ -12,6 +12,7 @@
 #include "irsg/radiance/SublatticeDifferences.h"
 #include "irsg/radiance/ViewSurfaceSums.h"
 #include "irsg/render/sampling/JoinedSamples.h"
+#include "irsg/render/sampling/OffAxisShares.h"
 
 namespace irsg {
 
@@ -23,8 +24,9 @@ constexpr std::size_t sublatticeStrips = 4;
 
 /// Adds the samples of some rows of a tile, counted from the top, to sums of theirs.
 template <typename Sums>
-void addRows(const SampleTile& tile, const GeometrySamples& samples, std::size_t firstRow,
-             std::size_t lastRow, LayerWalk& walk, Sums& sums) {
+void addRows(const SampleTile& tile, const PixelGrid& grid, const GeometrySamples& samples,
+             std::size_t firstRow, std::size_t lastRow, LayerWalk& walk, Sums& sums) {
+    const OffAxisShares shares(tile, grid);
     tile.forEachRun(
         static_cast<int>(firstRow), static_cast<int>(lastRow),
         [&](std::size_t first, int count, int x, int y, double weight) {
@@ -37,6 +39,7 @@ void addRows(const SampleTile& tile, const GeometrySamples& samples, std::size_t
             if (first == last)
                 return;
             sums.goTo(x, y, weight);
+            const bool areUnequal = shares.areUnequalIn(x, y);
             for (std::size_t i = first; i < last; ++i) {
                 if (isLeftOut(i))
                     continue;
@@ -45,6 +48,8 @@ void addRows(const SampleTile& tile, const GeometrySamples& samples, std::size_t
                     sums.at(i, isOfGroup);
                 else if (isOfGroup)
                     sums.goTo(x, y, GeometrySamples::samplesOfGroup * weight);
+                if (areUnequal)
+                    sums.setShare(shares.of(i, x, y, isOfGroup));
                 walk.forEachPlace(
                     samples, samples.standingFor(i, tile.stride()),
                     [&](int stack, const SurfaceRows::Between& between,
@@ -137,7 +142,7 @@ void GeometrySums::addGeometryToView(const SampleTile& tile, const GeometrySampl
         const std::size_t begin = beginOfPart(p, partsOfTile, rows),
                           end = beginOfPart(p + 1, partsOfTile, rows);
         const auto addTo = [&](auto& own) {
-            addRows(tile, samples, begin, end, walks[p], own);
+            addRows(tile, grid_, samples, begin, end, walks[p], own);
             own.finishLight();
         };
         if (withSublatticeDifferences_)
@@ -200,7 +205,7 @@ void GeometrySums::addToPixels(const SampleTile& tile, const GeometrySamples& sa
         own.height = pixelRow(end - 1) - own.y + 1;
         sums[p].emplace(rows_, walks[p], own, layout_.factorCount, exchange_.get(),
                         pixels.receivers, tile.share());
-        addRows(tile, samples, begin, end, walks[p], *sums[p]);
+        addRows(tile, grid_, samples, begin, end, walks[p], *sums[p]);
     });
     for (std::size_t p = 0; p < partsOfTile; ++p) {
         if (!sums[p])

@@ -47,9 +47,8 @@ class ViewSurfaceSums {
     void goTo(int x, int y, double weight) {
         endRun();
         const PixelGrid::Pixel pixel = pixelAt(x, y);
-        part_ = weight * share_;
-        omega_sr_ = pixel.solidAngle_sr * part_;
-        projected_sr_ = omega_sr_ * pixel.cosOffAxis;
+        const double part = weight * share_, omega_sr = pixel.solidAngle_sr * part;
+        sample_ = whole_ = {part, omega_sr, omega_sr * pixel.cosOffAxis};
         for (std::size_t k = 0; k < varying_.size(); ++k)
             behind_W_m2_sr_[k] = varying_[k]->at(x, y);
     }
@@ -57,10 +56,14 @@ class ViewSurfaceSums {
     /// The same as others, times a factor.
     void goTo(const ViewSurfaceSums& others, double factor) {
         endRun();
-        part_ = factor * others.part_;
-        omega_sr_ = factor * others.omega_sr_;
-        projected_sr_ = factor * others.projected_sr_;
+        sample_ = whole_ = others.whole_.times(factor);
         behind_W_m2_sr_ = others.behind_W_m2_sr_;
+    }
+
+    /// Samples that are added now count so much beside others of their pixel.
+    void setShare(double share) {
+        endRun();
+        sample_ = whole_.times(share);
     }
 
     [[gnu::always_inline]] void add(int stack, const SurfaceRows::Between& between,
@@ -80,12 +83,12 @@ class ViewSurfaceSums {
         const auto coverage = static_cast<double>(layer.coverage);
         const auto addTo = [&](std::size_t to, double weight) {
             Sums& sums = sums_[slotOf(to)];
-            sums.plain[0] += weight * omega_sr_ * coverage;
-            sums.cosine[0] += weight * projected_sr_ * coverage;
+            sums.plain[0] += weight * sample_.omega_sr * coverage;
+            sums.cosine[0] += weight * sample_.projected_sr * coverage;
             for (std::size_t f = 0; f < Factors; ++f) {
                 const auto factor = static_cast<double>(layer.factors[f]);
-                sums.plain[1 + f] += weight * omega_sr_ * factor;
-                sums.cosine[1 + f] += weight * projected_sr_ * factor;
+                sums.plain[1 + f] += weight * sample_.omega_sr * factor;
+                sums.cosine[1 + f] += weight * sample_.projected_sr * factor;
             }
             if (layer.place && layer.place->cell != GeometrySamples::Place::none)
                 addReceivers(to, weight * coverage, *layer.place);
@@ -114,8 +117,8 @@ class ViewSurfaceSums {
                 const double ofNode = weight * static_cast<double>(mirror.weights[n]);
                 for (std::size_t k = 0; k < table.components; ++k) {
                     const double own = ofNode * static_cast<double>(scales[k]);
-                    sums[2 * k] += own * omega_sr_;
-                    sums[2 * k + 1] += own * projected_sr_;
+                    sums[2 * k] += own * sample_.omega_sr;
+                    sums[2 * k + 1] += own * sample_.projected_sr;
                 }
             }
         };
@@ -227,6 +230,14 @@ class ViewSurfaceSums {
 
   private:
     static constexpr std::int32_t none = -1;
+    /// What a sample counts: of the pixel, in solid angle and in that times cosine.
+    struct SampleMeasure {
+        double part = 0.0, omega_sr = 0.0, projected_sr = 0.0;
+
+        SampleMeasure times(double share) const {
+            return {share * part, share * omega_sr, share * projected_sr};
+        }
+    };
     using Numbers = std::array<double, Factors + 1>;
     /// Coverage and factors, times solid angle and times projected solid angle, sr.
     struct Sums {
@@ -350,25 +361,25 @@ class ViewSurfaceSums {
                 sums[i] += scale * place.values[i];
             sums += width;
         };
-        add(omega_sr_);
-        add(projected_sr_);
-        add(part_);
+        add(sample_.omega_sr);
+        add(sample_.projected_sr);
+        add(sample_.part);
         for (const double behind : behind_W_m2_sr_) {
-            add(omega_sr_ * behind);
-            add(projected_sr_ * behind);
+            add(sample_.omega_sr * behind);
+            add(sample_.projected_sr * behind);
         }
     }
     void addPixel(std::size_t slot, const Numbers& samples) {
         Sums& sums = sums_[slot];
         for (std::size_t i = 0; i <= Factors; ++i) {
-            sums.plain[i] += omega_sr_ * samples[i];
-            sums.cosine[i] += projected_sr_ * samples[i];
+            sums.plain[i] += sample_.omega_sr * samples[i];
+            sums.cosine[i] += sample_.projected_sr * samples[i];
         }
-        sums.pixels += part_ * samples[0];
+        sums.pixels += sample_.part * samples[0];
         for (std::size_t k = 0; k < behind_W_m2_sr_.size(); ++k) {
             double* behind_W_m2 = &behind_W_m2_[2 * (slot * behind_W_m2_sr_.size() + k)];
-            behind_W_m2[0] += omega_sr_ * samples[0] * behind_W_m2_sr_[k];
-            behind_W_m2[1] += projected_sr_ * samples[0] * behind_W_m2_sr_[k];
+            behind_W_m2[0] += sample_.omega_sr * samples[0] * behind_W_m2_sr_[k];
+            behind_W_m2[1] += sample_.projected_sr * samples[0] * behind_W_m2_sr_[k];
         }
     }
 
@@ -401,8 +412,8 @@ class ViewSurfaceSums {
         const auto u = static_cast<double>(at.u), v = static_cast<double>(at.v);
         const std::array<double, 3> parts{1.0 - u - v, u, v};
         for (std::size_t c = 0; c < 3; ++c) {
-            run.plain[c] += weight * omega_sr_ * parts[c];
-            run.cosine[c] += weight * projected_sr_ * parts[c];
+            run.plain[c] += weight * sample_.omega_sr * parts[c];
+            run.cosine[c] += weight * sample_.projected_sr * parts[c];
         }
     }
     void addRun(const Run& run, ReceiverSumsMaker& sums) const {
@@ -475,13 +486,14 @@ class ViewSurfaceSums {
     int y_ = -1;
     std::vector<PixelGrid::Pixel> pixels_; // of that row, by x; no solid angle: not known yet
     double share_;
-    double part_ = 0.0, omega_sr_ = 0.0, projected_sr_ = 0.0; // of a sample in its pixel
-    std::vector<double> behind_W_m2_sr_;                      // by varying background
-    std::vector<std::int32_t> slots_, specularSlots_;         // by place: front, then row
-    std::vector<Sums> sums_;                                  // by slot
-    std::vector<OfRun> ofRun_;                                // likewise
-    std::vector<std::size_t> seen_;                           // slots, since the pixel was gone to
-    GasSums gas_;                                             // likewise
+    SampleMeasure whole_;                // of a sample of its pixel, on the mean of all
+    SampleMeasure sample_;               // of those that are added
+    std::vector<double> behind_W_m2_sr_; // by varying background
+    std::vector<std::int32_t> slots_, specularSlots_; // by place: front, then row
+    std::vector<Sums> sums_;                          // by slot
+    std::vector<OfRun> ofRun_;                        // likewise
+    std::vector<std::size_t> seen_;                   // slots, since the pixel was gone to
+    GasSums gas_;                                     // likewise
     /// By number of their places: times solid angle, projected solid angle and part of a pixel, and
     /// times both angles by varying background.
     std::vector<std::vector<double>> ofGas_;

@@ -291,8 +291,8 @@ PixelGeometry FrameSampler::pixelFactors(const Frame& frame) {
 void FrameSampler::addTruthLayers(const Frame& frame, const FrameBackground& background,
                                   RadianceImage& image) {
     EvaluatedScene& evaluated = *frame.evaluation().evaluated;
-    TruthLayers truth(evaluated.radiometry, evaluated.radiances, occluderStacks_, background,
-                      frame.light(), image);
+    TruthLayers truth(frame.sensor(), evaluated.radiometry, evaluated.radiances, occluderStacks_,
+                      background, frame.light(), image);
     surfaces_.sample(
         frame.surfaces, frame.request.camera, tilesOf(frame, frame.plan.seen), true, "truth layers",
         [&](const SampleTile& tile, const GeometrySamples& samples) { truth.add(tile, samples); });

@@ -10,6 +10,7 @@
 #include "irsg/render/rays/RayEngine.h"
 #include "irsg/render/rays/TileRays.h"
 #include "irsg/render/rays/TileSamples.h"
+#include "irsg/render/sampling/OffAxisShares.h"
 #include "irsg/render/sampling/SampleSheet.h"
 
 namespace irsg {
@@ -17,7 +18,7 @@ namespace irsg {
 namespace {
 
 /// The samples of a tile that belong to a pixel.
-std::vector<SampleRun> runsOf(const SampleTile& tile, int x, int y) {
+std::vector<SampleRun> runsOf(const SampleTile& tile, const PixelGrid& grid, int x, int y) {
     const auto blockOf = [&](int pixel) {
         return std::clamp<std::int64_t>(
             (static_cast<std::int64_t>(pixel) << tile.level) - tile.blockY, 0, tile.blocksHigh);
@@ -25,15 +26,16 @@ std::vector<SampleRun> runsOf(const SampleTile& tile, int x, int y) {
     const int first = static_cast<int>(blockOf(y)) * tile.samplesDown;
     const int last = static_cast<int>(blockOf(y + 1)) * tile.samplesDown;
     std::vector<SampleRun> runs;
-    tile.forEachRun(first, last,
-                    [&](std::size_t sample, int count, int column, int, double weight) {
-                        if (column != x)
-                            return;
-                        const std::size_t drawn = sample - tile.firstSample;
-                        const int fromBelow = static_cast<int>(drawn / tile.stride());
-                        runs.push_back({tile.height() - 1 - fromBelow,
-                                        static_cast<int>(drawn % tile.stride()), count, weight});
-                    });
+    const OffAxisShares shares(tile, grid);
+    shares.forEachRun(first, last,
+                      [&](std::size_t sample, int count, int column, int, double weight) {
+                          if (column != x)
+                              return;
+                          const std::size_t drawn = sample - tile.firstSample;
+                          const int fromBelow = static_cast<int>(drawn / tile.stride());
+                          runs.push_back({tile.height() - 1 - fromBelow,
+                                          static_cast<int>(drawn % tile.stride()), count, weight});
+                      });
     return runs;
 }
 
@@ -112,11 +114,12 @@ PixelExplanation PixelExplainer::at(int x, int y) {
     // The samples that the image takes of the pixel.
     PixelTerms terms(evaluated.radiometry, evaluated.radiances, occluderStacks_, frame.light(),
                      background_.behindAt(x, y));
+    const PixelGrid grid(sensor);
     for (const SampleSheet& sheet : sheets_) {
         std::optional<SheetScene> drawn;
         for (std::size_t w = 0; w < sheet.tiles.size(); ++w) {
             const SampleTile& tile = sheet.tiles[w];
-            const std::vector<SampleRun> runs = runsOf(tile, x, y);
+            const std::vector<SampleRun> runs = runsOf(tile, grid, x, y);
             if (runs.empty())
                 continue;
             if (!drawn)

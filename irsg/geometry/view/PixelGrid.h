@@ -27,6 +27,21 @@ class PixelGrid {
         return {pitch_ * pitch_ * cosine * cosine * cosine, cosine};
     }
 
+    /// The solid angle of a small part of a pixel over what its share of the pixel's area is of
+    /// the pixel's solid angle; around a place `right_px` and `below_px` from the centre, -1/2 to
+    /// 1/2. It falls towards the rim of a frame as cos^3 of the angle off the axis; to first order
+    /// here, so that the mean over a pixel is 1.
+    double shareAt(int x, int y, double right_px, double below_px) const {
+        const double u = (x - centreX_) * pitch_, v = (y - centreY_) * pitch_;
+        return 1.0 - 3.0 * pitch_ * (u * right_px + v * below_px) / (1.0 + u * u + v * v);
+    }
+    /// Whether parts of a pixel differ by so much that they are told apart; if not, those of no
+    /// pixel do that is nearer to the axis.
+    bool hasUnequalShares(int x, int y) const {
+        const double u = (x - centreX_) * pitch_, v = (y - centreY_) * pitch_;
+        return pitch_ * std::sqrt(u * u + v * v) > mostEqual;
+    }
+
     /// Sum of solid angle times cosine over all pixels, sr.
     double projectedSolidAngle_sr() const {
         double sum = 0.0;
@@ -39,6 +54,7 @@ class PixelGrid {
     }
 
   private:
+    static constexpr double mostEqual = 1e-6; ///< pitch times tangent of the angle off the axis
     double pitch_ = 0.0, centreX_ = 0.0, centreY_ = 0.0;
     int width_ = 0, height_ = 0;
 };

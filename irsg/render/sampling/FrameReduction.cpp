@@ -6,6 +6,7 @@
 #include "irsg/core/Errors.h"
 #include "irsg/core/ParallelFor.h"
 #include "irsg/geometry/view/PixelGrid.h"
+#include "irsg/render/sampling/OffAxisShares.h"
 
 namespace irsg {
 
@@ -84,8 +85,10 @@ void FrameReduction::add(const SampleTile& tile, const RadianceSamples& samples)
         patch.radiance[pixel] += radiance * (weight * share);
         patch.opacity[pixel] += opacity * (weight * share);
     };
+    const PixelGrid grid(sensor_);
+    const OffAxisShares shares(tile, grid);
     forEachBand(pixels, [&](std::size_t, int top, int bottom) {
-        tile.forEachRun(tile.firstRowOf(top), tile.firstRowOf(bottom), addRun);
+        shares.forEachRun(tile.firstRowOf(top), tile.firstRowOf(bottom), addRun);
     });
 }
 

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+
+#include "irsg/geometry/view/PixelGrid.h"
+#include "irsg/render/sampling/SampleTile.h"
+
+namespace irsg {
+
+/// What samples of a tile count beside the others of their pixel: an object that is smaller than a
+/// pixel and stands off its centre has the solid angle of its own place (docs/axes.md, Sensor).
+/// Near the axis all count alike, and nothing is computed.
+class OffAxisShares {
+  public:
+    /// Both must live as long.
+    OffAxisShares(const SampleTile& tile, const PixelGrid& grid) : tile_(tile), grid_(grid) {
+        const PixelRegion pixels = tile.pixels();
+        for (const int x : {pixels.x, pixels.x + pixels.width - 1})
+            for (const int y : {pixels.y, pixels.y + pixels.height - 1})
+                areUnequal_ = areUnequal_ || grid.hasUnequalShares(x, y);
+    }
+
+    /// Whether samples of a pixel count differently.
+    bool areUnequalIn(int x, int y) const { return areUnequal_ && grid_.hasUnequalShares(x, y); }
+
+    /// Of a sample of the drawing, which lies in a pixel; `isOfGroup`: of the two by two samples
+    /// that it stands for.
+    double of(std::size_t sample, int x, int y, bool isOfGroup = false) const {
+        const std::size_t drawn = sample - tile_.firstSample;
+        const std::size_t fromBottom = drawn / tile_.stride();
+        const int row = tile_.height() - 1 - static_cast<int>(fromBottom);
+        const int column =
+            static_cast<int>(drawn - fromBottom * tile_.stride()) - tile_.firstColumn(row);
+        return grid_.shareAt(
+            x, y, place_px(tile_.blockX, column, tile_.samplesAcross, isOfGroup) - x - 0.5,
+            place_px(tile_.blockY, row, tile_.samplesDown, isOfGroup) - y - 0.5);
+    }
+
+    /// SampleTile::forEachRun with weights that hold this.
+    template <typename Visit>
+    void forEachRun(int firstRow, int lastRow, const Visit& visit) const {
+        tile_.forEachRun(
+            firstRow, lastRow,
+            [&](std::size_t first, int count, int x, int y, double weight)
+                __attribute__((always_inline)) {
+                    if (!areUnequalIn(x, y))
+                        return visit(first, count, x, y, weight);
+                    for (int s = 0; s < count; ++s) {
+                        const std::size_t sample = first + static_cast<std::size_t>(s);
+                        visit(sample, 1, x, y, weight * of(sample, x, y));
+                    }
+                });
+    }
+
+  private:
+    /// The middle of the cell of a sample, or of a pair of them, along one axis of the frame.
+    double place_px(std::int64_t firstBlock, int number, int samplesOfBlock, bool isOfGroup) const {
+        const int block = number / samplesOfBlock, within = number % samplesOfBlock;
+        const double middle = isOfGroup ? within / 2 * 2 + 1.0 : within + 0.5;
+        return std::ldexp(static_cast<double>(firstBlock + block) + middle / samplesOfBlock,
+                          -tile_.level);
+    }
+
+    const SampleTile& tile_;
+    const PixelGrid& grid_;
+    bool areUnequal_ = false;
+};
+
+} // namespace irsg
