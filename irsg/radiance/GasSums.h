@@ -22,11 +22,11 @@ class GasSums {
         bool isSeen = false;
     };
 
-    /// `share`: what the sample counts beside others.
+    /// `share`: what the sample counts beside others of its pixel.
     void add(int stack, const SurfaceRows::Between& between, const GasWalk::Emission& one,
              double share = 1.0) {
         const auto next = static_cast<double>(between.next);
-        const double weight = share * one.before.weight;
+        const double weight = share * one.share * one.before.weight;
         addTo(stack, between.row, one, weight * (1.0 - next));
         if (next > 0.0)
             addTo(stack, between.row + 1, one, weight * next);

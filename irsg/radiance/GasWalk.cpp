@@ -74,7 +74,7 @@ void GasWalk::cross(int row) {
         inside_.erase(found);
 }
 
-const std::vector<GasWalk::Emission>& GasWalk::takeEmission() {
+const std::vector<GasWalk::Emission>& GasWalk::takeEmission(double share) {
     emission_.clear();
     hasNew_ = false;
     for (const std::size_t number : met_) {
@@ -88,7 +88,7 @@ const std::vector<GasWalk::Emission>& GasWalk::takeEmission() {
         gas.fronts.areKnown = gas.reflectionFronts.areKnown = false;
         fillBranches(&gas, &OfEntity::fronts, others_);
         for (const Branch& other : others_)
-            emission_.push_back({gas.firstRow, gas.metFirst, gas.from_m, other, gas.columns,
+            emission_.push_back({gas.firstRow, gas.metFirst, gas.from_m, other, share, gas.columns,
                                  gas.firstSet, gas.more});
     }
     branches_.areKnown = reflectionBranches_.areKnown = false;

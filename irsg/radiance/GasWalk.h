@@ -31,7 +31,8 @@ class GasWalk {
         int row = 0;      ///< drawn row of the entity's first gas, which stands for all of them
         int metFirst = 0; ///< drawn row of the gas nearest to the sensor
         float distance_m = 0.0f;
-        Branch before; ///< what stands before it
+        Branch before;      ///< what stands before it
+        double share = 1.0; ///< what the sample counts (GeometrySamples::gasShares)
         const GasColumnsOfEntity* columns = nullptr;
         int firstSet = 0; ///< of its columns, which follow each other
         /// What its line of sight does more than the last time, by strength (GasColumnBasis::Line):
@@ -47,8 +48,9 @@ class GasWalk {
     void cross(int row);
     /// Whether there is gas that nothing was told of yet.
     bool hasNew() const { return hasNew_; }
-    /// What emits since the last time; from now on it is before everything else.
-    const std::vector<Emission>& takeEmission();
+    /// What emits since the last time in a sample of such a share; from now on it is before
+    /// everything else.
+    const std::vector<Emission>& takeEmission(double share);
     /// What stands before what comes next; weights add up to 1.
     const std::vector<Branch>& branches();
     /// The same, of fewer fronts, before what surfaces there reflect of others.

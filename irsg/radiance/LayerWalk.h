@@ -62,7 +62,7 @@ class LayerWalk {
             samples, sample, visit, visitReceived, visitSpecular,
             [&](int stack, const SurfaceRows::Between& between, const GasWalk::Emission& gas) {
                 forEachColumn(stack, gas, [&](int behind, double weight) {
-                    const auto part = static_cast<float>(gas.before.weight * weight);
+                    const auto part = static_cast<float>(gas.before.weight * gas.share * weight);
                     part_.fill(part);
                     visit(behind, between,
                           GeometrySamples::Layer{gas.metFirst,
@@ -201,7 +201,7 @@ class LayerWalk {
                 gas_.cross(layer.row);
                 return light.goOn();
             }
-            emitGas(stack, visitGas);
+            emitGas(stack, samples.gasShare(sample), visitGas);
             const auto visitPart = [&](float part) {
                 return [&visit, this, part](int own, const SurfaceRows::Between& between,
                                             const GeometrySamples::Layer& whole) {
@@ -232,14 +232,14 @@ class LayerWalk {
             if (rows_.isTransparent(layer.row))
                 stack = behind(stack, layer.row);
         });
-        emitGas(stack, visitGas);
+        emitGas(stack, samples.gasShare(sample), visitGas);
     }
     /// Visits what gas emits since the last layer that was none.
     template <typename VisitGas>
-    void emitGas(int stack, const VisitGas& visitGas) {
+    void emitGas(int stack, double share, const VisitGas& visitGas) {
         if (!gas_.hasNew())
             return;
-        for (const GasWalk::Emission& one : gas_.takeEmission())
+        for (const GasWalk::Emission& one : gas_.takeEmission(share))
             visitGas(behindColumns(stack, one.before.set), rows_.at(one.row, one.distance_m), one);
     }
     GeometrySamples::Layer partOf(const GeometrySamples::Layer& whole, float part) {

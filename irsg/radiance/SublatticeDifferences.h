@@ -39,12 +39,14 @@ class SublatticeDifferences {
           cells_(static_cast<std::size_t>(tile.blocksWide * tile.samplesAcross)),
           classes_{empty, empty, empty, empty},
           joined_(empty),
+          beyond_(empty),
           corrections_{empty, empty, empty} {}
 
     void goTo(int x, int y, double weight) {
         classes_[0].goTo(x, y, weight);
         for (std::size_t c = 1; c < classes_.size(); ++c)
             classes_[c].goTo(classes_[0], 1.0);
+        beyond_.goTo(classes_[0], 1.0);
         joined_.goTo(classes_[0], static_cast<double>(GeometrySamples::samplesOfGroup));
         weight_ = weight;
     }
@@ -78,6 +80,7 @@ class SublatticeDifferences {
 
     void setShare(double share) {
         now_->setShare(share);
+        beyond_.setShare(share);
         if (isCorrected_)
             for (ViewSurfaceSums<Factors>& sums : corrections_)
                 sums.setShare(share);
@@ -120,6 +123,16 @@ class SublatticeDifferences {
                 sums.addSpecular(front, samples, layer, mirror);
     }
     void addGas(int front, const SurfaceRows::Between& between, const GasWalk::Emission& gas) {
+        // Shares differ between lattices, which is none of what they differ by.
+        if (gas.share != 1.0) {
+            GasWalk::Emission plain = gas, more = gas;
+            plain.share = 1.0;
+            const bool isOfGroup = now_ == &joined_;
+            more.share = (gas.share - 1.0) *
+                         (isOfGroup ? static_cast<double>(GeometrySamples::samplesOfGroup) : 1.0);
+            beyond_.addGas(front, between, more);
+            return addGas(front, between, plain);
+        }
         now_->addGas(front, between, gas);
         if (isCorrected_)
             for (ViewSurfaceSums<Factors>& sums : corrections_)
@@ -129,6 +142,7 @@ class SublatticeDifferences {
         for (ViewSurfaceSums<Factors>& sums : classes_)
             sums.finishGas(walk);
         joined_.finishGas(walk);
+        beyond_.finishGas(walk);
         for (ViewSurfaceSums<Factors>& sums : corrections_)
             sums.finishGas(walk);
     }
@@ -146,6 +160,7 @@ class SublatticeDifferences {
         for (const ViewSurfaceSums<Factors>& sums : classes_)
             visit(sums, 1.0);
         visit(joined_, 1.0);
+        visit(beyond_, 1.0);
     }
     /// The same of a contrast.
     template <typename Visit>
@@ -200,6 +215,7 @@ class SublatticeDifferences {
     std::size_t cells_;                               ///< of a row
     std::array<ViewSurfaceSums<Factors>, 4> classes_; ///< by parity of row and column
     ViewSurfaceSums<Factors> joined_;                 ///< groups of one of each class
+    ViewSurfaceSums<Factors> beyond_;                 ///< what gas counts more or less in the sum
     std::array<ViewSurfaceSums<Factors>, sublatticeDifferenceKinds> corrections_;
     ViewSurfaceSums<Factors>* now_ = nullptr;
     bool isCorrected_ = false, hasCorrections_ = false;

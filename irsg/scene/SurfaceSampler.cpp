@@ -139,7 +139,7 @@ SurfaceSampler::Sampling SurfaceSampler::begin(const SceneSurfaces& surfaces,
         seconds.drawing += engine.takeRenderSeconds();
         seconds.reading += engine.takeReadSeconds();
     };
-    if (surfaces.shading.isNeeded())
+    if (surfaces.shading.isNeeded() || surfaces.shading.hasGas)
         work.shade = [&surfaces, &camera, planned, this](std::size_t i, GeometrySamples& samples) {
             surfaces.shading.apply(scenesOf(surfaces, camera, (*planned)[i]),
                                    surfaces.scene.settings, samples);

@@ -117,6 +117,7 @@ SurfaceShading SurfaceShader::shade(const FrameRequest& request,
                                     const SceneEvaluation& evaluation) {
     const Scene& scene = request.scene;
     SurfaceShading shading;
+    shading.hasGas = evaluation.surfaceRows().hasGas();
     shading.lobes = lobesOf(scene.settings, evaluation);
     const std::vector<int> shadowed = terms_.shadowedFrom(scene.settings);
     const bool hasShadows = std::ranges::any_of(shadowed, [](int from) { return from >= 0; });

@@ -1,6 +1,7 @@
 #include "irsg/scene/SurfaceShading.h"
 
 #include "irsg/render/sampling/LayerSort.h"
+#include "irsg/render/sampling/SmoothShares.h"
 
 namespace irsg {
 
@@ -14,6 +15,9 @@ void SurfaceShading::apply(const SheetScene& sheet, const RenderSettings& settin
     if (lobes)
         lobes->apply(sheet, between.exchange ? shadows.get() : nullptr, between.exchange.get(),
                      aims.get(), samples);
+    samples.gasShares.clear();
+    if (hasGas)
+        shareOutGas(sheet.sheet, samples);
 }
 
 void SurfaceShading::sortAndApply(const SheetScene& sheet, const RenderSettings& settings,

@@ -20,10 +20,13 @@ struct SurfaceShading {
     std::shared_ptr<const LobeQuadrature> lobes; ///< of directional surfaces
     std::shared_ptr<const LobeAims> aims;        ///< of these
     JoinLimits joins;                            ///< of no row: all samples are alone
+    bool hasGas = false;
     std::vector<std::string> warnings;
 
+    /// Whether it must know where surfaces are.
     bool isNeeded() const { return shadows || lobes; }
-    /// Lets samples stand for each other, takes away light of the sun, and adds lobes.
+    /// Lets samples stand for each other, takes away light of the sun, adds lobes, and says what
+    /// samples count in gas.
     void apply(const SheetScene& sheet, const RenderSettings& settings,
                GeometrySamples& samples) const;
     /// Sorts the layers of a drawing, and does that.

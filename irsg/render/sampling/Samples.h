@@ -166,9 +166,17 @@ struct GeometrySamples {
         return groupFrom(sample, numbers % 4, stride)[numbers / 4];
     }
 
+    /// What a sample counts beside others of its block for what gas emits (shareOutGas), or empty:
+    /// all count 1.
+    std::vector<float> gasShares;
+    double gasShare(std::size_t sample) const {
+        return gasShares.empty() ? 1.0 : static_cast<double>(gasShares[sample]);
+    }
+
     /// Nothing is known of shadows, of light between surfaces and of lobes.
     void forgetLight() {
         groups.clear();
+        gasShares.clear();
         through.clear();
         lobes.clear();
         speculars.clear();
