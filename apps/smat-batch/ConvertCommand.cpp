@@ -7,6 +7,7 @@
 
 #include "apps/smat-batch/Command.h"
 #include "apps/smat-batch/Output.h"
+#include "apps/smat-batch/PlacingOptions.h"
 #include "irsg/core/Errors.h"
 #include "irsg/geometry/model/ModelConverter.h"
 #include "irsg/signature/SignatureFile.h"
@@ -17,6 +18,7 @@ namespace {
 
 struct ConvertOptions {
     std::string in, out, zones;
+    std::shared_ptr<PlacingOptions> placing;
 };
 
 /// Materials of a database that are gas.
@@ -40,12 +42,13 @@ long total(const std::map<irsg::IrCodes, long>& polygons) {
 }
 
 int convert(const ConvertOptions& options, Context& context) {
+    const irsg::ModelPlacing placing = options.placing->over({}).placing;
     irsg::ConversionReport report;
     {
         const StageTimer::Scope scope(&context.timer, "convert");
-        report =
-            irsg::convertModel(options.in, options.out, {},
-                               options.zones.empty() ? std::set<int>() : gasesOf(options.zones));
+        report = irsg::convertModel(
+            options.in, options.out, {},
+            {options.zones.empty() ? std::set<int>() : gasesOf(options.zones), placing});
     }
     if (context.json) {
         nlohmann::ordered_json codes = nlohmann::ordered_json::array();
@@ -66,6 +69,7 @@ int convert(const ConvertOptions& options, Context& context) {
                                                    {"drawables_read", report.drawablesRead},
                                                    {"drawables_written", report.drawablesWritten},
                                                    {"codes", codes},
+                                                   {"placing", placingJson(report.placing)},
                                                    {"remarks", report.remarks}}));
         return done;
     }
@@ -95,6 +99,8 @@ void addConvertCommand(CLI::App& app, Context& context) {
                      "Signature database: open meshes of its gas materials are closed, so that "
                      "shells become zones of gas")
         ->type_name("FILE.sigdb");
+    options->placing =
+        std::make_shared<PlacingOptions>(*command, PlacingOptions::Kind::axesAndUnit);
     command->callback([&context, options] {
         context.work = [&context, options] { return convert(*options, context); };
     });

@@ -7,17 +7,10 @@
 #include "irsg/geometry/mesh/MeshSurfaces.h"
 #include "irsg/geometry/model/Model.h"
 #include "irsg/geometry/model/PlacingGuess.h"
-#include "smatcore/project/JsonWriting.h"
 
 namespace smat::batch {
 
 namespace {
-
-nlohmann::ordered_json placingJson(const irsg::ModelPlacing& placing) {
-    nlohmann::json json;
-    writeModelOptions(json, {.placing = placing});
-    return json;
-}
 
 nlohmann::ordered_json guessJson(const irsg::PlacingGuess& guess) {
     auto json = placingJson(guess.placing);

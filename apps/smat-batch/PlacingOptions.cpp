@@ -11,6 +11,7 @@
 #include "irsg/core/Errors.h"
 #include "irsg/geometry/model/PlacingGuess.h"
 #include "smatcore/project/JsonReading.h"
+#include "smatcore/project/JsonWriting.h"
 #include "smatcore/project/Project.h"
 
 namespace smat::batch {
@@ -55,7 +56,7 @@ irsg::ModelOrigin originOf(const std::string& text) {
 
 } // namespace
 
-PlacingOptions::PlacingOptions(CLI::App& command) {
+PlacingOptions::PlacingOptions(CLI::App& command, Kind kind) {
     command
         .add_option("--up-axis", up_,
                     "What of a bare model's file points up; as the file says, else +z")
@@ -69,6 +70,8 @@ PlacingOptions::PlacingOptions(CLI::App& command) {
                     "What one unit of it is: m, cm, mm, in, ft, km or metres; "
                     "as the file says, else m")
         ->type_name("UNIT");
+    if (kind == Kind::axesAndUnit)
+        return;
     command
         .add_option("--origin", origin_,
                     "Which point of it becomes the origin: file, centre, base or x,y,z of the file")
@@ -82,17 +85,17 @@ PlacingOptions::PlacingOptions(CLI::App& command) {
 }
 
 std::string PlacingOptions::given() const {
-    return !up_.empty()                  ? "--up-axis"
-           : !nose_.empty()              ? "--nose-axis"
-           : !unit_.empty()              ? "--unit"
-           : !origin_.empty()            ? "--origin"
-           : textureOption_->count() > 0 ? textureFlag
-                                         : "";
+    return !up_.empty()       ? "--up-axis"
+           : !nose_.empty()   ? "--nose-axis"
+           : !unit_.empty()   ? "--unit"
+           : !origin_.empty() ? "--origin"
+           : isTextureGiven() ? textureFlag
+                              : "";
 }
 
 irsg::ModelOptions PlacingOptions::over(irsg::ModelOptions options) const {
     irsg::ModelPlacing& placing = options.placing;
-    if (textureOption_->count() > 0)
+    if (isTextureGiven())
         options.cutsTextureAlpha = cutsTextureAlpha_;
     if (!up_.empty())
         placing.up = axisOf("--up-axis", up_);
@@ -114,6 +117,12 @@ irsg::ModelOptions PlacingOptions::over(irsg::ModelOptions options) const {
     if (!origin_.empty())
         placing.origin = originOf(origin_);
     return options;
+}
+
+nlohmann::ordered_json placingJson(const irsg::ModelPlacing& placing) {
+    nlohmann::json json;
+    writeModelOptions(json, {.placing = placing});
+    return json;
 }
 
 } // namespace smat::batch

@@ -3,6 +3,7 @@
 #include <string>
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include "irsg/geometry/reading/ModelValues.h"
 
@@ -12,7 +13,8 @@ namespace smat::batch {
 /// and whether its textures cut: `--cut-texture-alpha`.
 class PlacingOptions {
   public:
-    explicit PlacingOptions(CLI::App& command);
+    enum class Kind { all, axesAndUnit }; ///< the latter: without origin and textures
+    explicit PlacingOptions(CLI::App& command, Kind kind = Kind::all);
 
     /// May be followed by true or false.
     static constexpr const char* textureFlag = "--cut-texture-alpha";
@@ -24,9 +26,14 @@ class PlacingOptions {
     std::string given() const;
 
   private:
+    bool isTextureGiven() const { return textureOption_ && textureOption_->count() > 0; }
+
     std::string up_, nose_, unit_, origin_;
     CLI::Option* textureOption_ = nullptr;
     bool cutsTextureAlpha_ = false;
 };
+
+/// A placing as projects have it: "upAxis" and so on.
+nlohmann::ordered_json placingJson(const irsg::ModelPlacing& placing);
 
 } // namespace smat::batch

@@ -132,6 +132,43 @@ TEST(SmatBatch, ConvertKeepsCodesThroughEveryFormat) {
     }
 }
 
+TEST(SmatBatch, ConvertTakesUnitAndAxesAsModelInfoDoes) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "plate.ply")
+        << "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+           "property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
+           "end_header\n0 0 0\n100 0 0\n100 0 300\n0 0 300\n4 0 1 2 3\n";
+    const auto info = [&](std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), {"model", "info", "--json"});
+        auto json = nlohmann::json::parse(smatBatch(arguments, folder.path()).out);
+        return nlohmann::json{json["min_m"], json["max_m"], json["codes"][0]["area_m2"]};
+    };
+    const std::vector<std::string> placing = {"--unit", "in", "--up-axis", "y", "--nose-axis=-z"};
+    std::vector<std::string> convert = {"convert", "plate.ply", "plate.osgb", "--json"},
+                             told = {"plate.ply"};
+    convert.insert(convert.end(), placing.begin(), placing.end());
+    told.insert(told.end(), placing.begin(), placing.end());
+    const Ran ran = smatBatch(convert, folder.path());
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    const auto report = nlohmann::json::parse(ran.out);
+    EXPECT_EQ(report["placing"],
+              nlohmann::json({{"upAxis", "+y"}, {"noseAxis", "-z"}, {"unit_m", 0.0254}}));
+    EXPECT_THAT(report["remarks"].dump(), HasSubstr("as read it is in inches"));
+    const auto before = info(told), after = info({"plate.osgb"});
+    EXPECT_NEAR(after[2].get<double>(), 30000 * 0.0254 * 0.0254, 1e-4);
+    for (std::size_t i : {0, 1}) {
+        for (std::size_t axis : {0, 1, 2}) {
+            EXPECT_NEAR(after[i][axis].get<double>(), before[i][axis].get<double>(), 1e-5);
+        }
+    }
+    const Ran open = smatBatch({"convert", "plate.ply", "plate.osgb"}, folder.path());
+    EXPECT_THAT(open.out, HasSubstr("does not state its unit, up axis or nose axis"));
+    const Ran wrong =
+        smatBatch({"convert", "plate.ply", "plate.osgb", "--unit", "mile"}, folder.path());
+    EXPECT_EQ(wrong.exitCode, 2);
+    EXPECT_THAT(wrong.err, HasSubstr("--unit: found mile"));
+}
+
 /// A tube about z of 12 sides and 2 m, open at its low end if `isOpen`, with every part turned to
 /// the inside from `turned` on.
 void writeTube(const std::filesystem::path& file, bool isOpen, int turned = 12) {

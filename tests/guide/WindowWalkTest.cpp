@@ -395,8 +395,10 @@ TEST_F(WindowWalkTest, Projects) {
     };
     act("projectProperties");
     EXPECT_EQ(workbench.project().title, "Another box");
-    walk.step("File → Import or convert a model… turns OpenFlight into OSG files and back, and "
-              "reports what was preserved.");
+    walk.step(
+        "File → Import or convert a model… turns models of all formats into OSG files in "
+        "metres, with y to the nose and z up, and reports what was preserved and what the file "
+        "leaves open.");
     QString report;
     onDialog = [&](QDialog& dialog) {
         dialog.findChild<QLineEdit*>("input")->setText(SMAT_SOURCE_DIR "/samples/box/box.flt");

@@ -24,15 +24,6 @@ using testing::HasSubstr;
 const std::filesystem::path page =
     std::filesystem::path(SMAT_SOURCE_DIR) / "docs/formats-model-features.md";
 
-std::vector<FormatFeature> allFeatures() {
-    std::vector<FormatFeature> all;
-    for (const auto& list : {gltfFeatures(), colladaFeatures(), fbxFeatures(), textFeatures(),
-                             drawingFeatures(), sceneFeatures()}) {
-        all.insert(all.end(), list.begin(), list.end());
-    }
-    return all;
-}
-
 /// What was read of a file.
 struct Read {
     std::string refusal;

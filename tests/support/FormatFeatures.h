@@ -37,6 +37,15 @@ std::vector<FormatFeature> textFeatures();    ///< OBJ, STL, PLY
 std::vector<FormatFeature> drawingFeatures(); ///< DXF, .x
 std::vector<FormatFeature> sceneFeatures();   ///< .ac, 3DS
 
+inline std::vector<FormatFeature> allFeatures() {
+    std::vector<FormatFeature> all;
+    for (const auto& list : {gltfFeatures(), colladaFeatures(), fbxFeatures(), textFeatures(),
+                             drawingFeatures(), sceneFeatures()}) {
+        all.insert(all.end(), list.begin(), list.end());
+    }
+    return all;
+}
+
 /// The text with another in the place of the first `from`, which it must have.
 std::string with(std::string text, std::string_view from, std::string_view to);
 /// The same, behind the first `from`.

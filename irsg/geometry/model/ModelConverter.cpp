@@ -5,15 +5,19 @@
 #include <limits>
 #include <sstream>
 
+#include <osg/MatrixTransform>
 #include <osgDB/FileNameUtils>
 #include <osgDB/Registry>
 
 #include "irsg/core/Errors.h"
 #include "irsg/core/FileReplacement.h"
+#include "irsg/core/Wording.h"
 #include "irsg/geometry/conversion/ClosedZones.h"
 #include "irsg/geometry/conversion/CodeSafeMerge.h"
 #include "irsg/geometry/conversion/GeometryCollector.h"
 #include "irsg/geometry/conversion/ModelLoader.h"
+#include "irsg/geometry/conversion/OsgValues.h"
+#include "irsg/geometry/model/ModelPlacing.h"
 #include "irsg/geometry/reading/IrCodes.h"
 #include "irsg/geometry/reading/NoFaces.h"
 #include "irsg/geometry/reading/OsgNotices.h"
@@ -47,6 +51,55 @@ std::string checkedExtension(const fs::path& in, const fs::path& out) {
     if (!folder.empty() && !fs::is_directory(folder, ignored))
         throw InputError({folder.string(), "", "no such folder", "a folder to write to"});
     return extension;
+}
+
+std::string axisName(const std::optional<ModelAxis>& axis) {
+    return modelAxisNames()[static_cast<std::size_t>(*axis)];
+}
+
+/// What neither the file nor who converts it has said, and what was taken for it; "" for nothing.
+std::string remarkOfOpen(const ModelPlacing& given, const FileAxes& axes,
+                         const ModelPlacing& taken) {
+    std::vector<std::string> open;
+    std::string instead;
+    const auto leave = [&](const char* what, const std::string& value) {
+        open.emplace_back(what);
+        instead += (instead.empty() ? "" : ", ") + value;
+    };
+    if (!given.unit_m && !axes.unit_m)
+        leave("unit", "metres");
+    if (!given.up && !axes.up)
+        leave("up axis", "up " + axisName(taken.up));
+    // A nose along +y is what everybody expects where the rest is stated.
+    const bool isToldNose = given.nose || axes.front || axes.usualFront;
+    if (!isToldNose && (!open.empty() || taken.nose != ModelAxis::plusY))
+        leave("nose axis", "nose " + axisName(taken.nose));
+    return open.empty()
+               ? ""
+               : "the file does not state its " + alternatives(open) + ": taken as " + instead;
+}
+
+/// Brings a graph to metres and the axes of a model, below a transformation where it has others.
+void place(osg::ref_ptr<osg::Node>& graph, const FileAxes& axes, const ModelPlacing& given,
+           const fs::path& in, const std::string& extension, ConversionReport& report) {
+    if (given.origin)
+        throw LogicError("a conversion that moves the origin");
+    const ModelPlacing& taken = report.placing = completed(given, axes, in.string());
+    if (auto open = remarkOfOpen(given, axes, taken); !open.empty())
+        report.remarks.push_back(std::move(open));
+    const Matrix4 matrix = turnAndScale(taken);
+    if (matrix == Matrix4())
+        return;
+    osg::ref_ptr<osg::MatrixTransform> root = new osg::MatrixTransform(toOsg(matrix));
+    // Normals keep their length in viewers.
+    root->getOrCreateStateSet()->setMode(GL_NORMALIZE, osg::StateAttribute::ON);
+    root->addChild(graph);
+    graph = root;
+    report.remarks.push_back("written in metres, y to the nose and z up, for ." + extension +
+                             " states neither unit nor axes; as read it is in " +
+                             unitName(*taken.unit_m) + ", up " + axisName(taken.up) + ", nose " +
+                             axisName(taken.nose) +
+                             (axes.reason.empty() ? "" : " (" + axes.reason + ")"));
 }
 
 std::map<IrCodes, double> areas(osg::Node& graph, const std::string& name) {
@@ -139,24 +192,25 @@ std::string bytesOf(const osg::Node& graph, const fs::path& out, const std::stri
 } // namespace
 
 ConversionReport convertModel(const fs::path& in, const fs::path& out, const std::stop_token& stop,
-                              const std::set<int>& closed) {
+                              const ConversionOptions& options) {
     const auto extension = checkedExtension(in, out);
     auto loaded = loadGraph(in, LoadPurpose::visible);
     if (stop.stop_requested())
         return {};
     const bool flight = !loaded.faces.empty();
+    ConversionReport report;
+    report.remarks = std::move(loaded.remarks);
+    place(loaded.node, loaded.axes, options.placing, in, extension, report);
     osg::ref_ptr<osg::Group> graph = new osg::Group;
     graph->addChild(loaded.node);
 
-    ConversionReport report;
-    report.remarks = std::move(loaded.remarks);
     report.polygonsRead = polygonCounts(*graph);
     if (report.polygonsRead.empty())
         refuseWithoutFaces(in.string(), report.remarks);
-    if (!closed.empty()) {
+    if (!options.closed.empty()) {
         osg::ref_ptr<osg::Group> whole = new osg::Group;
         whole->addChild(loaded.node);
-        report.facesThatClose = closeMeshes(*whole, closed, in.string());
+        report.facesThatClose = closeMeshes(*whole, options.closed, in.string());
         if (!report.facesThatClose.empty())
             graph->setChild(0, whole);
     }

@@ -97,13 +97,6 @@ double along(const Vec3& v, int line) {
     return line == 0 ? v.x : line == 1 ? v.y : v.z;
 }
 
-std::string unitName(double unit_m) {
-    for (const ModelUnit& unit : modelUnits)
-        if (std::abs(unit.unit_m - unit_m) < 1e-9 * unit_m)
-            return unit.name;
-    return "units of " + shown(unit_m) + " m";
-}
-
 SurfaceMesh asInFile(const LoadedGraph& graph, const std::string& file) {
     SurfaceMesh mesh;
     GeometryCollector(mesh, {}, file, {.forceTwoSided = true}).collect(*graph.node);
@@ -226,6 +219,13 @@ PlacingGuess guessOf(const SurfaceMesh& mesh, const LoadedGraph& graph, const st
 }
 
 } // namespace
+
+std::string unitName(double unit_m) {
+    for (const ModelUnit& unit : modelUnits)
+        if (std::abs(unit.unit_m - unit_m) < 1e-9 * unit_m)
+            return unit.name;
+    return "units of " + shown(unit_m) + " m";
+}
 
 const std::vector<std::string>& modelAxisNames() {
     static const std::vector<std::string> names = {"+x", "-x", "+y", "-y", "+z", "-z"};

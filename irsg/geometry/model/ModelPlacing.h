@@ -22,6 +22,9 @@ ModelPlacing completed(const ModelPlacing& placing, const FileAxes& axes, const 
 /// that is completed.
 Matrix4 turnAndScale(const ModelPlacing& completed);
 
+/// "inches", or "units of 0.5 m" where the unit has no name.
+std::string unitName(double unit_m);
+
 /// Looks at a graph as it was loaded. The plane of symmetry tells starboard from nose and up, the
 /// longer of the two is the length, the end with a fin, or the higher and wider one, its tail; the
 /// unit is the one that makes it 0.5 to 500 m long. Throws InputError as GeometryCollector does.
