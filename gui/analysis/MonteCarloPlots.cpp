@@ -207,7 +207,17 @@ void MonteCarloPlots::drawBands() {
     plot.yTitle = quantityTitle(data_);
     plot.xUnit = data_.abscissaUnit;
     plot.yUnit = data_.unit;
-    const std::vector<double>& x = data_.abscissae;
+    // Along the abscissa at the place of the slider on the other axes.
+    const std::size_t chosen = static_cast<std::size_t>(place_->value()) % data_.abscissae.size();
+    const std::vector<std::size_t> rows = data_.rowsAlong(chosen);
+    const auto along = [&](const std::vector<double>& all) {
+        std::vector<double> some;
+        for (const std::size_t row : rows)
+            if (row < all.size())
+                some.push_back(all[row]);
+        return some;
+    };
+    const std::vector<double> x = along(data_.abscissae);
     // The outermost percentiles as lines, so that the axis holds them and a crosshair reads them.
     std::vector<std::string> keys;
     for (const double percent : data_.options.percentiles)
@@ -218,12 +228,13 @@ void MonteCarloPlots::drawBands() {
         return label.isEmpty() ? what : what + ", " + label;
     };
     for (std::size_t band = 0; band < bands; ++band) {
-        plot.curves.push_back({called(tr("nominal"), band), x, data_.ofBand(data_.nominal, band)});
         plot.curves.push_back(
-            {called(tr("mean"), band), x, columnOf(data_, data_.columnKey("mean", band))});
+            {called(tr("nominal"), band), x, along(data_.ofBand(data_.nominal, band))});
+        plot.curves.push_back(
+            {called(tr("mean"), band), x, along(columnOf(data_, data_.columnKey("mean", band)))});
         for (const std::string& key : keys)
             plot.curves.push_back({called(QString::fromStdString(key), band), x,
-                                   columnOf(data_, data_.columnKey(key, band))});
+                                   along(columnOf(data_, data_.columnKey(key, band)))});
     }
     bands_->setData(std::move(plot));
 
@@ -246,7 +257,7 @@ void MonteCarloPlots::drawBands() {
     auto* here = new QwtPlotMarker;
     here->setLineStyle(QwtPlotMarker::VLine);
     here->setLinePen(style.faintText, 1.0, Qt::DashLine);
-    const double at = x[static_cast<std::size_t>(place_->value()) % x.size()];
+    const double at = data_.abscissae[chosen];
     const ShownUnit* unit = shownUnitOf(data_.abscissaUnit);
     here->setXValue(unit == nullptr ? at : unit->shown(at));
     here->attach(bands_);
@@ -266,8 +277,11 @@ void MonteCarloPlots::drawHistogram() {
     const auto k = static_cast<std::size_t>(place_->value());
     const std::size_t count = data_.abscissae.size();
     const QString band = bandText(data_, k / count);
-    placeText_->setText(valueWithUnit(data_.abscissae[k % count], data_.abscissaUnit) +
-                        (band.isEmpty() ? "" : ", " + band));
+    QString place = valueWithUnit(data_.abscissae[k % count], data_.abscissaUnit);
+    for (const ResultColumn& axis : data_.otherAxes)
+        place += ", " + QString::fromStdString(axis.key) + " " +
+                 valueWithUnit(axis.values.at(k % count), axis.unit);
+    placeText_->setText(place + (band.isEmpty() ? "" : ", " + band));
     const HistogramValues drawn = shownValues(data_, k);
     histogram_->setAxisTitle(QwtPlot::xBottom, axisText(drawn.title, style));
     auto* grid = new QwtPlotGrid;

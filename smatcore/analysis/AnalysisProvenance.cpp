@@ -16,6 +16,7 @@
 #include "smatcore/analysis/ErrorColumns.h"
 #include "smatcore/analysis/InputFiles.h"
 #include "smatcore/data/ColumnName.h"
+#include "smatcore/data/TableAxes.h"
 #include "smatcore/project/ModelFields.h"
 #include "smatcore/project/SceneScalings.h"
 #include "smatcore/settings/AnalysisSections.h"
@@ -35,12 +36,12 @@ std::optional<double> errorBeside(const ResultTable& table, ColumnName name, std
     return column->values[row];
 }
 
-void addColumnExtremes(AnalysisData& data, Quantity quantity, Quantity abscissa) {
-    const ResultColumn* axis = data.table.find(abscissa);
+void addColumnExtremes(AnalysisData& data, Quantity quantity,
+                       const std::vector<const ResultColumn*>& axes) {
     for (const ResultColumn* column : columnsOf(data.table, irsg::info(quantity).key)) {
         const ColumnName parts = ColumnName::of(column->key);
         // Of all objects together, in each band.
-        if (axis == nullptr || column->values.empty() || !parts.object.empty())
+        if (column->values.empty() || !parts.object.empty())
             continue;
         const auto [least, most] =
             std::minmax_element(column->values.begin(), column->values.end());
@@ -49,9 +50,8 @@ void addColumnExtremes(AnalysisData& data, Quantity quantity, Quantity abscissa)
         label.front() = irsg::lowerCase({label.front()}).front();
         const auto add = [&](const char* which, std::vector<double>::const_iterator it) {
             const auto row = static_cast<std::size_t>(it - column->values.begin());
-            data.summary.push_back(
-                {fmt::format("{} {} at {:.6g} {}", which, label, axis->values[row], axis->unit),
-                 *it, column->unit, errorBeside(data.table, parts, row)});
+            data.summary.push_back({fmt::format("{} {} at {}", which, label, rowPlace(axes, row)),
+                                    *it, column->unit, errorBeside(data.table, parts, row)});
         };
         add("Highest", most);
         add("Lowest", least);
@@ -59,13 +59,12 @@ void addColumnExtremes(AnalysisData& data, Quantity quantity, Quantity abscissa)
 }
 
 /// What the parts of objects add to the largest contrast, the largest first.
-void addLargestParts(AnalysisData& data, Quantity abscissa) {
+void addLargestParts(AnalysisData& data, const std::vector<const ResultColumn*>& axes) {
     constexpr std::size_t most = 5;
-    const ResultColumn* axis = data.table.find(abscissa);
     const auto columns = columnsOf(data.table, irsg::info(Quantity::contrastIntensity).key);
     for (const ResultColumn* whole : columns) {
         const ColumnName name = ColumnName::of(whole->key);
-        if (axis == nullptr || whole->values.empty() || !name.object.empty())
+        if (whole->values.empty() || !name.object.empty())
             continue;
         const auto row = static_cast<std::size_t>(std::ranges::max_element(whole->values) -
                                                   whole->values.begin());
@@ -73,8 +72,8 @@ void addLargestParts(AnalysisData& data, Quantity abscissa) {
         for (const ResultColumn* column : columns)
             if (const ColumnName own = ColumnName::of(column->key);
                 !own.part().empty() && own.band == name.band && column->values[row] != 0.0)
-                parts.push_back({fmt::format("{} of the largest contrast, at {:.6g} {}",
-                                             own.which(), axis->values[row], axis->unit),
+                parts.push_back({fmt::format("{} of the largest contrast, at {}", own.which(),
+                                             rowPlace(axes, row)),
                                  column->values[row], column->unit});
         std::ranges::stable_sort(parts, std::ranges::greater(),
                                  [](const SummaryItem& part) { return std::abs(part.value); });
@@ -130,16 +129,13 @@ void summarise(AnalysisData& data) {
     if (!data.image.empty()) {
         addImageNumbers(data);
     } else if (data.kind->form == AnalysisForm::spectrum) {
-        addColumnExtremes(data, Quantity::spectralContrastIntensity, Quantity::wavelength);
+        addColumnExtremes(data, Quantity::spectralContrastIntensity, axesOf(data.table));
         data.summary.insert(data.summary.end(), data.inBand.begin(), data.inBand.end());
-    } else if (!data.table.empty()) {
-        const std::optional<Quantity> abscissa =
-            irsg::quantityOfKey(data.table.columns().front().key);
-        if (abscissa) {
-            addColumnExtremes(data, Quantity::contrastIntensity, *abscissa);
-            addColumnExtremes(data, Quantity::irradiance, *abscissa);
-            addLargestParts(data, *abscissa);
-        }
+    } else if (!data.table.empty() && irsg::quantityOfKey(data.table.columns().front().key)) {
+        const std::vector<const ResultColumn*> axes = axesOf(data.table);
+        addColumnExtremes(data, Quantity::contrastIntensity, axes);
+        addColumnExtremes(data, Quantity::irradiance, axes);
+        addLargestParts(data, axes);
     }
 }
 

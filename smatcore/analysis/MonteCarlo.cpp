@@ -38,7 +38,7 @@ class Run {
         AnalysisData& analysis = data_.analysis;
         if (analysis.kind->form == AnalysisForm::image) {
             throw monteCarloRefusal("analysis", analysis.name + ", an image",
-                                    "a spectrum, polar, time or range analysis");
+                                    "a spectrum, a sweep or a table");
         }
         analysis.settings = MonteCarlo::settingsOf(analysis);
         plan_ = planAnalysis(analysis.kind, analysis.project, analysis.settings);
@@ -48,6 +48,11 @@ class Run {
                                     "any is drawn");
         if (analysis.kind->form != AnalysisForm::spectrum)
             data_.errors = errorColumnsOf(analysis.settings);
+        for (const irsg::Quantity axis : plan_.axes)
+            if (axis != plan_.coordinate) {
+                const irsg::QuantityInfo& info = irsg::info(axis);
+                data_.otherAxes.push_back({std::string(info.key), std::string(info.unit), {}});
+            }
         checkRankedPlace();
         scene_ = scenes(analysis.project, analysis.settings);
         scene_.environment = irsg::onTheFly(scene_.environment);
@@ -122,19 +127,20 @@ class Run {
         if (!companions_)
             return;
         say("ranking");
-        std::optional<std::size_t> only;
+        std::vector<std::size_t> only;
         if (data_.options.rankingAt)
-            only = data_.nearest(*data_.options.rankingAt);
+            only = data_.allNearest(*data_.options.rankingAt);
         const auto modelOfPair = [&]() -> ScaledModel {
             const auto memos = std::make_shared<MonteCarloViews::Memos>(views_->memos());
             return [this, only, memos](const std::vector<double>& scales) {
                 std::vector<double> all = views_->valuesNear(scales, *memos);
-                if (!only)
+                if (only.empty())
                     return all;
-                // That abscissa in every band.
+                // That abscissa in every band, at all places of the other axes.
                 std::vector<double> chosen;
-                for (std::size_t k = *only; k < all.size(); k += data_.abscissae.size())
-                    chosen.push_back(all[k]);
+                for (std::size_t first = 0; first < all.size(); first += data_.abscissae.size())
+                    for (const std::size_t row : only)
+                        chosen.push_back(all[first + row]);
                 return chosen;
             };
         };
@@ -237,6 +243,8 @@ class Run {
         one.scalings = data_.scalings;
         one.seed = data_.seed;
         one.errors = data_.errors;
+        for (const ResultColumn& axis : data_.otherAxes)
+            one.otherAxes.push_back({axis.key, axis.unit, {}});
         const std::string place = single.place(single.cases.front());
         MonteCarloViews views(door_, single, scene_, one);
         views.draw([&](const std::string& what) { say(place + ": " + what); }, stop_);

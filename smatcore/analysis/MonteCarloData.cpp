@@ -11,6 +11,7 @@
 #include "irsg/core/Errors.h"
 #include "smatcore/analysis/CommandSettings.h"
 #include "smatcore/data/ColumnName.h"
+#include "smatcore/data/TableAxes.h"
 #include "smatcore/settings/SettingKeys.h"
 #include "smatcore/support/ShellText.h"
 
@@ -121,10 +122,39 @@ std::size_t MonteCarloData::nearest(double abscissa) const {
     return nearestPlace(abscissae, abscissa);
 }
 
+std::vector<std::size_t> MonteCarloData::allNearest(double abscissa) const {
+    const double there = abscissae.at(nearest(abscissa));
+    std::vector<std::size_t> rows;
+    for (std::size_t row = 0; row < abscissae.size(); ++row)
+        if (abscissae[row] == there)
+            rows.push_back(row);
+    return rows;
+}
+
+std::vector<std::size_t> MonteCarloData::rowsAlong(std::size_t row) const {
+    std::vector<std::size_t> rows;
+    for (std::size_t other = 0; other < abscissae.size(); ++other)
+        if (std::ranges::all_of(otherAxes, [&](const ResultColumn& axis) {
+                return axis.values.at(other) == axis.values.at(row);
+            }))
+            rows.push_back(other);
+    return rows;
+}
+
+std::string MonteCarloData::rowPlace(std::size_t row) const {
+    std::string place =
+        axisPlace({abscissaKey, abscissaUnit, {}}, abscissae.at(row), !otherAxes.empty());
+    for (const ResultColumn& axis : otherAxes)
+        place += ", " + axisPlace(axis, axis.values.at(row), true);
+    return place;
+}
+
 std::string MonteCarloData::rankedPlace() const {
     if (!options.rankingAt || abscissae.empty())
         return "";
-    return fmt::format("{:.6g} {}", abscissae[nearest(*options.rankingAt)], abscissaUnit);
+    const std::vector<std::size_t> rows = allNearest(*options.rankingAt);
+    return axisPlace({abscissaKey, abscissaUnit, {}}, abscissae[rows.front()], !otherAxes.empty()) +
+           (rows.size() > 1 ? fmt::format(", {} rows", rows.size()) : "");
 }
 
 std::vector<double> MonteCarloData::ofBand(const std::vector<double>& byPlace,

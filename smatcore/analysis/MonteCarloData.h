@@ -38,7 +38,8 @@ struct MonteCarloOptions {
     bool ranking = false;
     std::size_t rankingPairs = 1024; ///< draws with companions
     /// Where the ranking looks, in the unit of the abscissa (wavelength in um for spectra): the
-    /// nearest one, within the sweep; the whole sweep where it is not set.
+    /// nearest one, within the sweep, at all places of the other axes; the whole sweep where it is
+    /// not set.
     std::optional<double> rankingAt;
 
     /// Throws InputError naming every option that cannot be.
@@ -62,7 +63,9 @@ struct MonteCarloData {
     std::string unit;                      ///< of the values
     std::string abscissaKey, abscissaUnit; ///< "wavelength", "um"
     std::vector<double> abscissae;         ///< of a spectrum, wavelengths in um
-    std::vector<std::string> bands;        ///< labels of several bands; one "" of one
+    /// Of a sweep over several axes: the others, each with its value at each abscissa.
+    std::vector<ResultColumn> otherAxes;
+    std::vector<std::string> bands; ///< labels of several bands; one "" of one
     // By place: all abscissae in the first band, then all in the next.
     std::vector<std::vector<double>> values; ///< by place, then by draw
     std::vector<double> nominal;             ///< at scales of 1
@@ -78,9 +81,16 @@ struct MonteCarloData {
     std::size_t realisations() const { return values.empty() ? 0 : values.front().size(); }
     /// The command that does the same from a terminal.
     std::string equivalentCommand(const std::string& outputFile) const;
-    /// The abscissa nearest to a number: its place in the first band.
+    /// The abscissa nearest to a number: its place in the first band, the first of several.
     std::size_t nearest(double abscissa) const;
-    /// "90 deg": where the ranking looked; "" for the whole sweep.
+    /// The same of all rows with that abscissa, which differ in the other axes.
+    std::vector<std::size_t> allNearest(double abscissa) const;
+    /// Rows that differ from one in the abscissa alone, ascending, itself among them.
+    std::vector<std::size_t> rowsAlong(std::size_t row) const;
+    /// "90 deg", of several axes "azimuth 90 deg, elevation 5 deg".
+    std::string rowPlace(std::size_t row) const;
+    /// "90 deg": where the ranking looked, over the other axes where there are some: "90 deg, 5
+    /// rows"; "" for the whole sweep.
     std::string rankedPlace() const;
     /// Values over the abscissae of one band, from values by place.
     std::vector<double> ofBand(const std::vector<double>& byPlace, std::size_t band) const;

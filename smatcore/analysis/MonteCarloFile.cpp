@@ -40,6 +40,20 @@ OrderedJson jsonOf(const MonteCarloOptions& options) {
     return json;
 }
 
+/// "30 deg", "azimuth 30 deg elevation 5 deg": all digits, so that no two rows are alike, and no
+/// commas.
+std::string exactPlace(const MonteCarloData& data, std::size_t row) {
+    const auto at = [](const std::string& unit, double value) {
+        return irsg::numberText(value) + (unit.empty() ? "" : " " + unit);
+    };
+    if (data.otherAxes.empty())
+        return at(data.abscissaUnit, data.abscissae[row]);
+    std::string place = data.abscissaKey + " " + at(data.abscissaUnit, data.abscissae[row]);
+    for (const ResultColumn& axis : data.otherAxes)
+        place += " " + axis.key + " " + at(axis.unit, axis.values.at(row));
+    return place;
+}
+
 const char* kindWord(const SceneScaling& scaling) {
     return scaling.input.kind == irsg::ScalingKind::temperature ? "temperature" : "emissivity";
 }
@@ -89,12 +103,10 @@ ResultTable realisationsTable(const std::vector<NamedRealisations>& runs) {
         table.add(name, "");
     for (const auto& [object, data] : runs) {
         const std::string quantity = data->analysis.table.provenance.value("quantity");
-        const std::string unit = data->abscissaUnit.empty() ? "" : " " + data->abscissaUnit;
         for (std::size_t band = 0; band < data->bands.size(); ++band)
-            for (const double abscissa : data->abscissae)
+            for (std::size_t row = 0; row < data->abscissae.size(); ++row)
                 table.add((object.empty() ? "" : object + ".") +
-                              data->columnKey(quantity + " at " + irsg::numberText(abscissa) + unit,
-                                              band),
+                              data->columnKey(quantity + " at " + exactPlace(*data, row), band),
                           data->unit);
     }
     const ScalingRealisations realisations(last.scalings, last.options.sequence, last.seed);
@@ -150,6 +162,12 @@ std::vector<std::filesystem::path> saveMonteCarlo(const MonteCarloData& data,
     json["scales"] = scales;
     json["draws"] = data.realisations();
     json["abscissa"] = {{"name", data.abscissaKey}, {"unit", data.abscissaUnit}};
+    if (!data.otherAxes.empty()) {
+        OrderedJson axes = OrderedJson::array();
+        for (const ResultColumn& axis : data.otherAxes)
+            axes.push_back({{"name", axis.key}, {"unit", axis.unit}});
+        json["other_axes"] = axes;
+    }
     json["unit"] = data.unit;
     json["bands"] = data.bands;
     json["statistic"] = jsonOf(data.statistic);

@@ -21,7 +21,8 @@ std::vector<std::filesystem::path> saveMonteCarlo(const MonteCarloData& data,
 /// place, draw after draw, in rows of 4096, the rest of the last row 0. LogicError before a run.
 irsg::RadianceImage realisationsImage(const MonteCarloData& data);
 /// The raw draws: a row a draw with its number, `draw`, its scales, `scale NAME`, and the quantity
-/// at each place, `contrast_intensity at 90 deg@3-5um`. Of a run that was read back the quantities
+/// at each place, `contrast_intensity at 90 deg@3-5um`, over several axes `contrast_intensity at
+/// azimuth 90 deg elevation 5 deg`. Of a run that was read back the quantities
 /// have the 7 digits that it keeps. LogicError before a run.
 ResultTable realisationsTable(const MonteCarloData& data);
 /// The same of several runs with the same draws, each of an object, `near.contrast_intensity at 2

@@ -93,6 +93,8 @@ void takeColumns(MonteCarloData& data, const std::string& file) {
         return found->values;
     };
     data.abscissae = column(data.abscissaKey);
+    for (ResultColumn& axis : data.otherAxes)
+        axis.values = column(axis.key);
     for (std::size_t band = 0; band < data.bands.size(); ++band) {
         const auto append = [](std::vector<double>& all, const std::vector<double>& some) {
             all.insert(all.end(), some.begin(), some.end());
@@ -170,6 +172,9 @@ MonteCarloData loadMonteCarlo(const std::filesystem::path& file,
         data.scalings.push_back(scalingOf(one));
     data.abscissaKey = json.at("abscissa").at("name").text();
     data.abscissaUnit = json.at("abscissa").at("unit").text();
+    if (json.has("other_axes"))
+        for (const JsonReader& one : json.at("other_axes").list())
+            data.otherAxes.push_back({one.at("name").text(), one.at("unit").text(), {}});
     data.unit = json.at("unit").text();
     data.bands = json.at("bands").texts();
     takeStatistic(data, json.at("statistic"));

@@ -40,6 +40,8 @@ void addColumns(MonteCarloData& data, const MonteCarloAxis& of) {
     if (isSpectrum)
         table.add(Quantity::wavenumber);
     table.add(data.abscissaKey, data.abscissaUnit);
+    for (const ResultColumn& other : data.otherAxes)
+        table.add(other.key, other.unit);
     for (std::size_t band = 0; band < data.bands.size(); ++band) {
         const auto add = [&](const std::string& what) {
             table.add(data.columnKey(what, band), data.unit);
@@ -68,8 +70,8 @@ void summarise(MonteCarloData& data) {
         static_cast<std::size_t>(std::max_element(sigmas.begin(), sigmas.end()) - sigmas.begin());
     const std::size_t abscissae = data.abscissae.size();
     const std::string band = ColumnName{"", "", "", data.bands[widest / abscissae]}.which();
-    const std::string where = fmt::format(" at {:.6g} {}{}", data.abscissae[widest % abscissae],
-                                          data.abscissaUnit, band.empty() ? "" : ", " + band);
+    const std::string where =
+        " at " + data.rowPlace(widest % abscissae) + (band.empty() ? "" : ", " + band);
     const Estimate& estimated = data.statistic[widest];
     summary.push_back({"Draws", static_cast<double>(data.realisations()), ""});
     summary.push_back({"Largest standard deviation" + where, sigmas[widest], data.unit});
@@ -118,6 +120,8 @@ std::vector<double> rowOfRealisations(const MonteCarloData& data, const MonteCar
     if (!axis.wavenumbers_per_cm.empty())
         row.push_back(axis.wavenumbers_per_cm[abscissa]);
     row.push_back(data.abscissae[abscissa]);
+    for (const ResultColumn& other : data.otherAxes)
+        row.push_back(other.values.at(abscissa));
     for (std::size_t k = abscissa; k < data.values.size(); k += data.abscissae.size()) {
         std::vector<double> ascending = data.values[k];
         std::sort(ascending.begin(), ascending.end());

@@ -139,6 +139,8 @@ void MonteCarloViews::renderPhases(const AnalysisCase& one, PlacedCase placed, c
         RenderedView drawing = renderOne(one, placed, phase == 0);
         if (phase == 0) {
             append(data_.abscissae, drawing.abscissae);
+            for (ResultColumn& axis : data_.otherAxes)
+                axis.values.push_back(one.value(irsg::quantityOfKey(axis.key).value()));
             for (std::size_t band = 0; band < bands_.size(); ++band) {
                 append(nominal_[band], drawing.values[band]);
                 append(errors_[band], drawing.errors[band]);

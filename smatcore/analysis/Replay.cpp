@@ -13,6 +13,7 @@
 #include "irsg/core/Wording.h"
 #include "smatcore/analysis/AnalysisOfResult.h"
 #include "smatcore/analysis/InputFiles.h"
+#include "smatcore/data/TableAxes.h"
 
 namespace smat {
 namespace {
@@ -47,13 +48,10 @@ class Largest {
     std::optional<std::size_t> at_;
 };
 
-std::string textOf(double value) {
-    return irsg::roundedText(value, 6);
-}
-
 void compareTables(const ResultTable& a, const ResultTable& b,
                    std::vector<ReplayedDifference>& differences) {
     const std::size_t rows = std::min(a.rowCount(), b.rowCount());
+    const std::vector<const ResultColumn*> axes = axesOf(a);
     for (const ResultColumn& column : a.columns()) {
         const ResultColumn* const other = b.find(column.key);
         if (other == nullptr)
@@ -61,10 +59,9 @@ void compareTables(const ResultTable& a, const ResultTable& b,
         Largest largest;
         for (std::size_t i = 0; i < rows; ++i)
             largest.add(column.values[i], other->values[i], i);
-        const ResultColumn& axis = a.columns().front();
         largest.addTo(differences, column.key, column.unit, [&](std::size_t i) {
-            return axis.key + " " + textOf(axis.values[i]) + (axis.unit.empty() ? "" : " ") +
-                   axis.unit;
+            return axes.size() > 1 ? rowPlace(axes, i)
+                                   : axisPlace(*axes.front(), axes.front()->values[i], true);
         });
     }
 }

@@ -169,6 +169,8 @@ void planPolar(AnalysisPlan& plan, const Project&, const Settings& settings,
             }
         return cases;
     };
+    if (offsets_deg(settings).size() > 1)
+        plan.axes = {irsg::Quantity::angle, irsg::Quantity::elevation};
     plan.cases = casesAt({axis});
     if (isAdaptivePlot(AnalysisKind::polar, settings)) {
         plan.refined = {axis};
