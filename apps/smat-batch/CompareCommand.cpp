@@ -102,6 +102,11 @@ std::string rectangleText(const irsg::PixelRectangle& r) {
 void print(const irsg::Comparison& comparison, const irsg::ComparisonOptions& options) {
     if (options.rectangle)
         fmt::print("rectangle {}\n", rectangleText(*options.rectangle));
+    if (!comparison.quantity.empty() && comparison.quantity != "radiance")
+        fmt::print("{}, channel {}\n", comparison.quantity,
+                   comparison.channelA == comparison.channelB
+                       ? comparison.channelA
+                       : comparison.channelA + " and " + comparison.channelB);
     const auto figures = irsg::comparisonFigures(comparison, options);
     for (std::size_t i = 0; i < figures.size(); ++i) {
         const auto& figure = figures[i];
@@ -136,6 +141,7 @@ ordered_json comparisonJson(const irsg::Comparison& comparison,
          {comparison.area.x, comparison.area.y, comparison.area.width, comparison.area.height}},
         {"channel_a", comparison.channelA},
         {"channel_b", comparison.channelB},
+        {"quantity", comparison.quantity},
         {"unit", comparison.unit}};
     for (const auto& figure : irsg::comparisonFigures(comparison, options))
         json[figure.key] = numberJson(figure.value);
@@ -267,7 +273,9 @@ void addCompareCommand(CLI::App& app, Context& context) {
             ->type_name("N");
     };
     addChoices("", "both", options->channel, options->part, options->page,
-               "; without it the only one, else L, else Y. An image that does not have it takes "
+               "; without it the only one, else the one that is shown in place of radiance, else "
+               "L, else Y. Images of different quantities are refused without it. An image that "
+               "does not have it takes "
                "part with its usual one");
     addChoices("-a", "A alone", options->channelA, options->partA, options->pageA, "");
     addChoices("-b", "B alone", options->channelB, options->partB, options->pageB, "");

@@ -85,7 +85,8 @@ class MonteCarloCommand {
                          "Ranks the scales by their first-order Sobol' indices");
         numbers_.add("--ranking-pairs", "N", "Pairs of draws of the ranking, 1024 by default");
         numbers_.add("--ranking-at", "X",
-                     "Abscissa the ranking looks at (wavelength in um for a spectrum); the whole "
+                     "Abscissa the ranking looks at (wavelength in um for a spectrum), all rows "
+                     "there; the whole "
                      "sweep without it");
         command
             .add_option("--sensor", sensors_,

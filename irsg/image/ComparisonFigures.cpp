@@ -95,6 +95,8 @@ RadianceImage differenceImage(const RadianceImage& a, const RadianceImage& b,
                               DifferenceMode mode) {
     const auto& [planeA, planeB] = comparedPlanes(a, b, options);
     ImageChannel plane = differencePlane(planeA, planeB, mode);
+    if (mode == DifferenceMode::signedDifference || mode == DifferenceMode::absolute)
+        plane.unit = comparison.unit; // which attributes may state
     RadianceImage image(a.width(), a.height(), plane.name, plane.unit);
     image.primary().values = std::move(plane.values);
     image.channel("A", planeA.unit).values = planeA.values;
@@ -102,6 +104,8 @@ RadianceImage differenceImage(const RadianceImage& a, const RadianceImage& b,
 
     image.attributes["compare.A"] = options.nameA + ", channel " + planeA.name;
     image.attributes["compare.B"] = options.nameB + ", channel " + planeB.name;
+    if (!comparison.quantity.empty())
+        image.attributes["compare.quantity"] = comparison.quantity;
     image.attributes["compare.verdict"] = verdictWord(comparison.verdict);
     for (const ComparisonFigure& figure : comparisonFigures(comparison, options))
         image.attributes["compare." + figure.key] =

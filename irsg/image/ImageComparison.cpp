@@ -8,6 +8,7 @@
 #include "irsg/image/ImageFile.h"
 #include "irsg/image/ImageIntensity.h"
 #include "irsg/image/NotANumber.h"
+#include "irsg/image/PlaneQuantity.h"
 
 namespace irsg {
 
@@ -83,7 +84,11 @@ class Comparing {
         result_.area = checkedRectangle(imageA_, options_.rectangle);
         result_.channelA = a_.name;
         result_.channelB = b_.name;
-        result_.unit = a_.unit.empty() ? b_.unit : a_.unit;
+        result_.unit = ofA_.unit.empty() ? ofB_.unit : ofA_.unit;
+        result_.quantity = ofA_.name.empty()                             ? ofB_.name
+                           : ofB_.name.empty() || ofA_.name == ofB_.name ? ofA_.name
+                                                                         : "";
+        refuseOtherQuantity();
         warn();
         chooseWeights();
         sumErrors();
@@ -95,7 +100,23 @@ class Comparing {
   private:
     Comparing(const RadianceImage& a, const RadianceImage& b, const ComparisonOptions& options,
               const ComparedPlanes& planes)
-        : imageA_(a), imageB_(b), a_(planes.a), b_(planes.b), options_(options) {}
+        : imageA_(a),
+          imageB_(b),
+          a_(planes.a),
+          b_(planes.b),
+          ofA_(quantityOf(a, planes.a)),
+          ofB_(quantityOf(b, planes.b)),
+          options_(options) {}
+
+    void refuseOtherQuantity() const {
+        const bool isAsked =
+            !options_.channel.empty() || !options_.channelA.empty() || !options_.channelB.empty();
+        if (isAsked || ofA_.name.empty() || ofB_.name.empty() || ofA_.name == ofB_.name)
+            return;
+        throw InputError({options_.nameB, "", ofB_.name + " (channel " + b_.name + ")",
+                          ofA_.name + " as in channel " + a_.name + " of " + options_.nameA +
+                              ", or the names of the channels that are compared nevertheless"});
+    }
 
     template <typename Use>
     void forEachPair(Use&& use) const {
@@ -108,9 +129,9 @@ class Comparing {
     }
 
     void warn() {
-        if (!a_.unit.empty() && !b_.unit.empty() && a_.unit != b_.unit) {
-            result_.warnings.push_back("the units differ: A is in " + a_.unit + ", B in " +
-                                       b_.unit);
+        if (!ofA_.unit.empty() && !ofB_.unit.empty() && ofA_.unit != ofB_.unit) {
+            result_.warnings.push_back("the units differ: A is in " + ofA_.unit + ", B in " +
+                                       ofB_.unit);
             incomparable_ = true;
         }
         const std::string bandA = attributeOf(imageA_, "band.name");
@@ -123,9 +144,12 @@ class Comparing {
 
     void chooseWeights() {
         std::optional<ImageGeometry> ofA = geometryOf(imageA_), ofB = geometryOf(imageB_);
-        const bool radiance = (isRadiance(a_) || a_.unit.empty()) &&
-                              (isRadiance(b_) || b_.unit.empty()) &&
-                              (isRadiance(a_) || isRadiance(b_));
+        const auto isBand = [](const PlaneQuantity& of) { return of.name == "radiance"; };
+        const auto isNothing = [](const PlaneQuantity& of) {
+            return of.name.empty() && of.unit.empty();
+        };
+        const bool radiance = (isBand(ofA_) || isNothing(ofA_)) &&
+                              (isBand(ofB_) || isNothing(ofB_)) && (isBand(ofA_) || isBand(ofB_));
         result_.totalIsIntensity = radiance && (ofA || ofB);
         if (!result_.totalIsIntensity) {
             result_.totalUnit = result_.unit.empty() ? "px" : result_.unit + " px";
@@ -221,6 +245,7 @@ class Comparing {
 
     const RadianceImage &imageA_, &imageB_;
     const ImageChannel &a_, &b_;
+    const PlaneQuantity ofA_, ofB_;
     const ComparisonOptions& options_;
     Weights weightsA_, weightsB_;
     Comparison result_;

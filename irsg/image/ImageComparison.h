@@ -62,7 +62,9 @@ struct NonFinite {
 /// Units or bands that differ make it a warning at least.
 struct Comparison {
     PixelRectangle area;
-    std::string channelA, channelB, unit;
+    std::string channelA, channelB;
+    std::string quantity; ///< of both, as in PlaneQuantity; "" where it is not known or differs
+    std::string unit;
     std::size_t pixels = 0, compared = 0; ///< of the area; those where both are finite
 
     double meanError = 0.0;         ///< mean of A - B
@@ -92,7 +94,8 @@ struct Comparison {
 };
 
 /// Compares A with B, B being the reference. Throws InputError for images of different size before
-/// anything else, for a channel that is not there, thresholds and rectangles that cannot be used.
+/// anything else, for a channel that is not there, thresholds and rectangles that cannot be used,
+/// and for planes of two quantities that are known (PlaneQuantity.h), unless a channel was named.
 Comparison compareImages(const RadianceImage& a, const RadianceImage& b,
                          const ComparisonOptions& options = {});
 

@@ -12,6 +12,7 @@
 #include "irsg/image/EnviFile.h"
 #include "irsg/image/ImageComparison.h"
 #include "irsg/image/ImageFormat.h"
+#include "irsg/image/PlaneQuantity.h"
 
 namespace irsg {
 
@@ -96,7 +97,9 @@ const ImageChannel& chosenPlane(const RadianceImage& image, const std::string& c
         throw InputError({imageName, "", "no channel '" + channel + "'",
                           "one of its channels: " + channelList(image)});
     }
-    if (image.channels.size() == 1)
+    // What is shown in place of radiance stands in front of it.
+    const std::string shown = quantityOf(image, image.primary()).name;
+    if (image.channels.size() == 1 || (!shown.empty() && shown != "radiance"))
         return image.primary();
     for (const char* usual : {"L", "Y"})
         if (const ImageChannel* found = image.find(usual))

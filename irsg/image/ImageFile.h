@@ -26,7 +26,8 @@ std::vector<ImagePart> imageParts(const std::filesystem::path& file);
 /// true does not say that the rest is sound.
 bool holdsImage(const std::filesystem::path& file);
 
-/// The plane of that name. Without a name: the only one, else `L`, else `Y` (luminance). Throws
+/// The plane of that name. Without a name: the only one, else the first where it is known to be of
+/// another quantity than radiance (PlaneQuantity.h), else `L`, else `Y` (luminance). Throws
 /// InputError, naming `image` and listing its channels, where there is none such, or no telling.
 const ImageChannel& chosenPlane(const RadianceImage& image, const std::string& channel,
                                 const std::string& imageName);

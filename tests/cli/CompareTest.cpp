@@ -57,6 +57,27 @@ TEST_F(CompareCommand, FindsTheChangedPixelWithSignAndPlaceAndFails) {
     EXPECT_THAT(compare({"b.exr", "a.exr"}).out, HasSubstr("-0.5 W m-2 sr-1, at (5, 2)"));
 }
 
+TEST_F(CompareCommand, TheQuantityThatIsShownIsComparedAndNoTwoQuantities) {
+    irsg::RadianceImage warm(8, 4, "T_apparent", "K");
+    warm.channel("L", "W m-2 sr-1");
+    irsg::writeExr(warm, folder / "cold.exr");
+    warm.primary().values[3] = 300.0F;
+    irsg::writeExr(warm, folder / "warm.exr");
+    const Ran ran = compare({"warm.exr", "cold.exr"});
+    EXPECT_EQ(ran.exitCode, 2) << "their radiance alone is equal";
+    EXPECT_THAT(ran.out, HasSubstr("temperature, channel T_apparent\n"));
+    EXPECT_THAT(ran.out, HasSubstr("300 K, at (3, 0)"));
+    EXPECT_EQ(compare({"warm.exr", "cold.exr", "--channel", "L"}).exitCode, 0);
+    const Ran json = compare({"warm.exr", "cold.exr", "--json"});
+    EXPECT_EQ(nlohmann::json::parse(json.out)["comparisons"][0]["quantity"], "temperature");
+    const Ran mixed = compare({"warm.exr", "a.exr"});
+    EXPECT_EQ(mixed.exitCode, 2);
+    EXPECT_EQ(mixed.out, "");
+    EXPECT_THAT(mixed.err, HasSubstr("a.exr: found radiance (channel L), expected temperature as "
+                                     "in channel T_apparent of warm.exr"));
+    EXPECT_THAT(compare({"warm.exr", "a.exr", "--channel", "L"}).out, HasSubstr("W m-2 sr-1"));
+}
+
 TEST_F(CompareCommand, ATableOfResultsIsRefusedInOneSentence) {
     std::string table = "range [m],contrast_intensity [W sr-1]\n";
     for (int i = 1; i < 100; ++i) {

@@ -277,8 +277,9 @@ TEST(ImageComparison, UnitsAndBandsThatDifferAreWarnedOfAndNeverPass) {
     EXPECT_THAT(bands.warnings[0], HasSubstr("A is 3-5 um, B is 8-12 um"));
     EXPECT_EQ(bands.verdict, Verdict::warning);
     b = ramp();
+    a.primary().unit = "mW cm-2";
     b.primary().unit = "K";
-    EXPECT_THAT(compareImages(a, b).warnings.at(0), HasSubstr("B in K"));
+    EXPECT_THAT(compareImages(a, b).warnings.at(0), HasSubstr("A is in mW cm-2, B in K"));
     EXPECT_EQ(compareImages(a, b).verdict, Verdict::warning);
 }
 
