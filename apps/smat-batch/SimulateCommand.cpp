@@ -98,9 +98,9 @@ class SimulateCommand {
             for (const std::string& warning : job.loaded.sensors[sensor].warnings)
                 warn(job.scenario.sensors[sensor].name + ": " + warning);
         if (dryRun_) {
-            runner.rehearse(job);
+            const SimulationOutputs outputs = runner.rehearse(job);
             if (context.team == nullptr || context.team->isLeader())
-                describe(job, context);
+                describe(job, outputs, context);
             return done;
         }
         catchStopSignal();
@@ -139,35 +139,56 @@ class SimulateCommand {
         context.timer.split("frames", parts);
     }
 
-    static void describe(const PlannedSimulation& job, const Context& context) {
-        const LoadedScenario& loaded = job.loaded;
-        const SimulationPlan& plan = job.plan;
-        const FrameFiles files = job.files();
+    static Json namesJson(const std::vector<std::filesystem::path>& files) {
+        Json names = Json::array();
+        for (const std::filesystem::path& file : files)
+            names.push_back(file.string());
+        return names;
+    }
+
+    static void describe(const PlannedSimulation& job, const SimulationOutputs& outputs,
+                         const Context& context) {
         Json list = Json::array();
-        for (const std::size_t sensor : plan.sensors) {
-            const irsg::Sensor& detector = loaded.sensors[sensor].scene.sensor;
-            const std::string& name = loaded.scenario.sensors[sensor].name;
-            const auto &first = plan.steps.front(), &last = plan.steps.back();
+        for (const SimulationOutputs::OfSensor& of : outputs.sensors) {
+            const irsg::Sensor& detector = job.loaded.sensors[of.sensor].scene.sensor;
+            const std::string& name = job.loaded.scenario.sensors[of.sensor].name;
+            const std::string bands = bandsText(job.loaded.sensors[of.sensor].scene);
             if (context.json) {
                 list.push_back({{"sensor", name},
-                                {"steps", plan.steps.size()},
-                                {"from_s", first.time_s},
-                                {"to_s", last.time_s},
+                                {"steps", of.steps.size()},
                                 {"width", detector.width_px},
                                 {"height", detector.height_px},
-                                {"band", bandsText(loaded.sensors[sensor].scene)},
-                                {"first", files.frameFile(sensor, first.number, "").string()},
-                                {"last", files.frameFile(sensor, last.number, "").string()}});
-            } else {
-                fmt::print("{}: {} steps from {:g} to {:g} s, {} x {} px, {}, {} to {}\n", name,
-                           plan.steps.size(), first.time_s, last.time_s, detector.width_px,
-                           detector.height_px, bandsText(loaded.sensors[sensor].scene),
-                           files.frameFile(sensor, first.number, "").filename().string(),
-                           files.frameFile(sensor, last.number, "").filename().string());
+                                {"band", bands},
+                                {"table", of.table.string()},
+                                {"settings", of.settings.string()},
+                                {"frames", namesJson(of.frames)}});
+                if (!of.steps.empty())
+                    list.back().update({{"from_s", of.steps.front().time_s},
+                                        {"to_s", of.steps.back().time_s},
+                                        {"first", of.frames.front().string()},
+                                        {"last", of.frames.back().string()}});
+                continue;
             }
+            fmt::print("{}: {} steps{}, {} x {} px, {}", name, of.steps.size(),
+                       of.steps.empty()
+                           ? ""
+                           : fmt::format(" from {:g} to {:g} s", of.steps.front().time_s,
+                                         of.steps.back().time_s),
+                       detector.width_px, detector.height_px, bands);
+            if (of.steps.empty())
+                fmt::print(", no frame: the sensor, or what it looks at, is not there\n");
+            else
+                fmt::print(", {}\n", firstToLast({of.frames.front().filename(),
+                                                  of.frames.back().filename()}));
+        }
+        Json films = Json::array();
+        for (const std::vector<std::filesystem::path>& film : outputs.films) {
+            films.push_back(namesJson(film));
+            if (!context.json)
+                fmt::print("film: {}\n", firstToLast(film));
         }
         if (context.json)
-            fmt::print("{}\n", jsonText(Json{{"plans", list}}));
+            fmt::print("{}\n", jsonText(Json{{"plans", list}, {"films", films}}));
     }
 
     static std::string textOf(const SimulationOutcome& outcome, const PlannedSimulation& job) {
@@ -191,8 +212,8 @@ class SimulateCommand {
                 "\n";
         }
         text += fmt::format("{:.2f} s\n", result.elapsed_s);
-        for (const std::filesystem::path& film : outcome.files)
-            text += "  -> " + film.string() + "\n";
+        for (const std::vector<std::filesystem::path>& film : outcome.films)
+            text += "  -> " + firstToLast(film) + "\n";
         return text;
     }
 

@@ -170,7 +170,8 @@ JobResult AnalysisJob::makeFilm(const ProgressCallback& progress,
     const FilmOrder& order = *order_.film;
     JobResult result;
     result.film = std::make_shared<const FilmOutcome>(
-        FilmOutcome{order.file, writeFilm(order.strip, order.file, order.whose, stop, progress)});
+        FilmOutcome{filmFiles(order.file, order.strip),
+                    writeFilm(order.strip, order.file, order.whose, stop, progress)});
     return result;
 }
 

@@ -28,6 +28,7 @@
 #include "gui/workbench/Workbench.h"
 #include "irsg/core/Errors.h"
 #include "smatcore/settings/SettingKeys.h"
+#include "smatcore/simulate/SimulationOutputs.h"
 
 namespace smat::gui {
 namespace {
@@ -207,8 +208,10 @@ void ScenarioPage::connectJobs() {
 }
 
 void ScenarioPage::takeFilm(const FilmOutcome& film) {
-    const QString sentence = film.sentence.empty() ? tr("Wrote the film %1").arg(textOf(film.file))
-                                                   : textOf(film.sentence);
+    const QString sentence = !film.sentence.empty() ? textOf(film.sentence)
+                             : film.files.size() > 1
+                                 ? tr("Wrote the pictures %1").arg(textOf(firstToLast(film.files)))
+                                 : tr("Wrote the film %1").arg(textOf(firstToLast(film.files)));
     toldOfFilm_ = true;
     frames_->say(sentence);
     emit said(sentence);

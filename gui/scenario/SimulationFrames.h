@@ -34,8 +34,8 @@ struct FilmOrder {
     std::string whose; ///< the file that errors about the settings name
 };
 struct FilmOutcome {
-    std::filesystem::path file;
-    std::string sentence; ///< why there is no film; empty where there is one
+    std::vector<std::filesystem::path> files; ///< one, or numbered pictures
+    std::string sentence;                     ///< why there is no film; empty where there is one
 };
 
 /// Writes all that a job asks for, as smat-batch simulate does. Throws irsg::InputError.

@@ -14,6 +14,7 @@
 #include "smatcore/jobs/MonteCarloJob.h"
 #include "smatcore/jobs/SimulationJob.h"
 #include "smatcore/project/SceneBuilder.h"
+#include "smatcore/simulate/SimulationOutputs.h"
 
 namespace smat {
 
@@ -65,6 +66,8 @@ struct SimulationOutcome : JobOutcome {
     SimulationResult result;
     /// Its frames, where a film or strips were asked for and they were written with their values.
     std::vector<FilmStrip> strips;
+    /// Those that were written, each with its files (filmFiles); all are in `files`, too.
+    std::vector<std::vector<std::filesystem::path>> films;
 };
 
 /// Runs jobs one after the other, of window, command line and MPI, with one renderer and the models
@@ -83,7 +86,8 @@ class JobRunner {
     /// Does all that run() of the same job does before it calculates, and refuses what it would
     /// refuse by then, outputs included. Changes no file; the data hold what there is to warn of.
     void rehearse(PlannedJob& job);
-    void rehearse(const PlannedSimulation& job);
+    /// Returns the files that it would write.
+    SimulationOutputs rehearse(const PlannedSimulation& job);
     void rehearse(AnalysisData& data, const CostAccuracyStudy::Options& options);
 
     /// Builds the scene, runs the plan, saves. The cases of a sweep stand beside its first file

@@ -53,17 +53,28 @@ std::vector<std::unique_ptr<CaseFile>> stepFiles(const PlannedSimulation& job,
     return steps;
 }
 
-void writeFilms(const PlannedSimulation& job, const JobControl& control,
+/// Of the steps of this run's part.
+SimulationOutputs plannedOutputs(const PlannedSimulation& job, const SceneGenerator3D& generator,
+                                 const FrameFiles& files) {
+    return outputsOf(generator, job.plan, files, job.film,
+                     [&](std::size_t step) { return job.share.has(step, job.plan.steps.size()); });
+}
+
+/// `films`: how many there are in a whole run.
+void writeFilms(const PlannedSimulation& job, std::size_t films, const JobControl& control,
                 SimulationOutcome& outcome) {
     const StageTimer::Scope scope(control.timer, "film");
     for (const FilmStrip& strip : outcome.strips) {
-        const std::filesystem::path file = filmFile(job.film, strip, outcome.strips.size());
+        const std::filesystem::path file = filmFile(job.film, strip, films);
         const std::string sentence = writeFilm(strip, file, job.loaded.scenario.displayName(),
                                                control.stop, control.progress);
-        if (sentence.empty())
-            outcome.files.push_back(file);
-        else
+        if (!sentence.empty()) {
             outcome.remarks.push_back(sentence);
+            continue;
+        }
+        outcome.films.push_back(filmFiles(file, strip));
+        outcome.files.insert(outcome.files.end(), outcome.films.back().begin(),
+                             outcome.films.back().end());
     }
 }
 
@@ -86,12 +97,14 @@ PlannedSimulation JobRunner::plan(SimulationJob job) {
     return planned;
 }
 
-void JobRunner::rehearse(const PlannedSimulation& job) {
+SimulationOutputs JobRunner::rehearse(const PlannedSimulation& job) {
     std::vector<irsg::Diagnostic> diagnostics;
     const FrameFiles files = job.files();
+    SimulationOutputs outputs;
     irsg::collect(diagnostics, [&] {
         const SceneGenerator3D generator(job.loaded, door());
         generator.check(job.plan.sensors, job.plan.times_s());
+        outputs = plannedOutputs(job, generator, files);
         for (const std::size_t sensor : job.plan.sensors) {
             const SceneDescription& scene = job.loaded.sensors[sensor].scene;
             static_cast<void>(door().description(scene));
@@ -111,9 +124,11 @@ void JobRunner::rehearse(const PlannedSimulation& job) {
     const std::filesystem::path ofFilm = job.film.parent_path().lexically_normal();
     if (!job.film.empty() &&
         (std::filesystem::exists(ofFilm) || ofFilm != job.folder.lexically_normal()))
-        irsg::collect(diagnostics, [&] { checkFilmPlace(job.film); });
+        for (const std::vector<std::filesystem::path>& film : outputs.films)
+            irsg::collectOnce(diagnostics, [&] { checkFilmPlace(film.front()); });
     if (!diagnostics.empty())
         throw irsg::InputError(diagnostics);
+    return outputs;
 }
 
 SimulationOutcome JobRunner::run(const PlannedSimulation& job, const JobControl& control,
@@ -122,8 +137,9 @@ SimulationOutcome JobRunner::run(const PlannedSimulation& job, const JobControl&
     const FrameFiles files = job.files();
     files.makeFolders(job.plan.sensors);
     files.checkOutputs(job.plan.sensors);
-    if (!job.film.empty())
-        checkFilmPlace(job.film);
+    const auto films = plannedOutputs(job, SceneGenerator3D(job.loaded, door()), files).films;
+    for (const std::vector<std::filesystem::path>& film : films)
+        checkFilmPlace(film.front());
     const Hashes inputs = inputHashes(); // before frames read more
     double ofTeam_s = 0.0;
     if (control.team != nullptr) {
@@ -165,7 +181,7 @@ SimulationOutcome JobRunner::run(const PlannedSimulation& job, const JobControl&
                 for (FilmStrip::Frame& frame : strip.frames)
                     frame.file = sensor.folder / frame.file.filename();
     if (!job.film.empty())
-        writeFilms(job, control, outcome);
+        writeFilms(job, films.size(), control, outcome);
     return outcome;
 }
 

@@ -135,24 +135,27 @@ std::vector<std::string> ffmpegArguments(const FilmStrip& strip, const std::stri
 FilmRecorder::FilmRecorder(const LoadedScenario& scenario, const FrameFiles& files)
     : scenario_(scenario), files_(files) {}
 
+FilmStrip FilmRecorder::stripOf(const LoadedScenario& scenario, const FrameFiles& files,
+                                std::size_t sensor, std::size_t band) {
+    const std::string stem = files.frameFile(sensor, 0, ".exr", band).stem().string();
+    const std::size_t at = stem.find('@');
+    return {.sensor = sensor,
+            .band = band,
+            .label = scenario.scenario.sensors.at(sensor).name +
+                     (at == std::string::npos ? "" : stem.substr(at)),
+            .settings = scenario.sensors.at(sensor).settings,
+            .frames_per_s = std::clamp(1.0 / scenario.scenario.dt_s, fewest_per_s, most_per_s),
+            .low = INFINITY,
+            .high = -INFINITY};
+}
+
 void FilmRecorder::heed(const SensorFrame& frame, std::size_t number) {
     auto strip = std::ranges::find_if(strips_, [&](const FilmStrip& one) {
         return one.sensor == frame.sensor && one.band == frame.band;
     });
     const fs::path file = files_.frameFile(frame.sensor, number, ".exr", frame.band);
     if (strip == strips_.end()) {
-        const std::string stem = file.stem().string();
-        const std::size_t band = stem.find('@');
-        const std::string label = scenario_.scenario.sensors.at(frame.sensor).name +
-                                  (band == std::string::npos ? "" : stem.substr(band));
-        strips_.push_back(
-            {.sensor = frame.sensor,
-             .band = frame.band,
-             .label = label,
-             .settings = scenario_.sensors.at(frame.sensor).settings,
-             .frames_per_s = std::clamp(1.0 / scenario_.scenario.dt_s, fewest_per_s, most_per_s),
-             .low = INFINITY,
-             .high = -INFINITY});
+        strips_.push_back(stripOf(scenario_, files_, frame.sensor, frame.band));
         strip = strips_.end() - 1;
     }
     for (const float value : frame.rendered.image.primary().values) {
@@ -195,9 +198,7 @@ void checkFilmPlace(const fs::path& file) {
         irsg::checkWritable(file);
         return;
     }
-    // Its pictures stand beside that name.
-    const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-    irsg::checkWritable(folder / (file.stem().string() + "-000000.png"));
+    irsg::checkWritable(file);
 }
 
 fs::path filmFile(const fs::path& file, const FilmStrip& strip, std::size_t strips) {
@@ -207,6 +208,16 @@ fs::path filmFile(const fs::path& file, const FilmStrip& strip, std::size_t stri
            (file.stem().string() + "-" + strip.label + file.extension().string());
 }
 
+std::vector<fs::path> filmFiles(const fs::path& file, const FilmStrip& strip) {
+    if (file.extension() != ".png")
+        return {file};
+    std::vector<fs::path> pictures;
+    for (const FilmStrip::Frame& frame : strip.frames)
+        pictures.push_back(file.parent_path() /
+                           fmt::format("{}-{:06}.png", file.stem().string(), frame.number));
+    return pictures;
+}
+
 std::string writeFilm(const FilmStrip& strip, const fs::path& file, const std::string& whose,
                       const std::stop_token& stop, const ProgressCallback& progress) {
     checkFilm(file);
@@ -214,6 +225,7 @@ std::string writeFilm(const FilmStrip& strip, const fs::path& file, const std::s
         return fmt::format("{}: no film, since no frame shows anything", strip.label);
     const Settings colors = colorsOf(strip);
     const bool isPictures = file.extension() == ".png";
+    const std::vector<fs::path> numbered = filmFiles(file, strip);
     std::optional<irsg::ScratchFolder> temporary;
     if (!isPictures)
         temporary.emplace(pictures);
@@ -232,9 +244,8 @@ std::string writeFilm(const FilmStrip& strip, const fs::path& file, const std::s
         if (stop.stop_requested())
             return fmt::format("{}: no film, since it was stopped", strip.label);
         const fs::path picture =
-            isPictures ? file.parent_path() /
-                             fmt::format("{}-{:06}.png", file.stem().string(), frame.number)
-                       : *temporary / fmt::format("{:06}.png", place++);
+            isPictures ? numbered.at(place) : *temporary / fmt::format("{:06}.png", place);
+        ++place;
         saveImage(irsg::readExr(frame.file), colors, frame.words, whose, picture);
     }
     if (isPictures) {

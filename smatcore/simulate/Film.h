@@ -31,6 +31,9 @@ class FilmRecorder {
     /// Both must outlive it.
     FilmRecorder(const LoadedScenario& scenario, const FrameFiles& files);
     void heed(const SensorFrame& frame, std::size_t number);
+    /// That of a sensor and a band before its first frame.
+    static FilmStrip stripOf(const LoadedScenario& scenario, const FrameFiles& files,
+                             std::size_t sensor, std::size_t band);
     const std::vector<FilmStrip>& strips() const { return strips_; }
 
   private:
@@ -45,11 +48,14 @@ std::optional<std::filesystem::path> findFfmpeg();
 /// for one that needs ffmpeg where there is none.
 void checkFilm(const std::filesystem::path& file);
 /// Throws InputError where no film of this name could be written: its folder, and the one for
-/// temporary files that encoding needs. Changes nothing.
+/// temporary files that encoding needs. `file` is one of filmFiles(). Changes nothing.
 void checkFilmPlace(const std::filesystem::path& file);
 /// "pass.mp4", and "pass-mwir.mp4" where it is one of several.
 std::filesystem::path filmFile(const std::filesystem::path& file, const FilmStrip& strip,
                                std::size_t strips);
+/// What writeFilm writes into `file`: itself, or of a .png a numbered picture for each frame.
+std::vector<std::filesystem::path> filmFiles(const std::filesystem::path& file,
+                                             const FilmStrip& strip);
 /// Writes the frames in one scale of colours: numbered pictures `FILE-000012.png` for .png, else a
 /// film that ffmpeg encodes (.mp4 in H.264, or what it has instead; .gif), at as many frames a
 /// second as the scenario has steps, from 1 to 50. `whose` is the file that errors about the

@@ -101,6 +101,14 @@ std::filesystem::path FrameFiles::frameFile(std::size_t sensor, std::size_t numb
     return frameFolder(sensor) / fmt::format("frame_{:06}{}{}", number, label, extension);
 }
 
+std::vector<std::filesystem::path> FrameFiles::framesOf(std::size_t sensor, std::size_t number,
+                                                        std::size_t band) const {
+    std::vector<std::filesystem::path> files;
+    for (const std::string& extension : extensions_)
+        files.push_back(frameFile(sensor, number, extension, band));
+    return files;
+}
+
 std::filesystem::path FrameFiles::frameFolder(std::size_t sensor) const {
     return folder_ / scenario_.scenario.sensors.at(sensor).name;
 }
@@ -220,11 +228,9 @@ void FrameFiles::write(SensorFrame& frame, std::size_t number,
     describe(frame, number);
     const PictureWords above = words(frame.sensor, frame.time_s);
     const std::filesystem::path into = folder.empty() ? frameFolder(frame.sensor) : folder;
-    for (const std::string& extension : extensions_) {
+    for (const std::filesystem::path& file : framesOf(frame.sensor, number, frame.band))
         saveImage(frame.rendered.image, scenario_.sensors.at(frame.sensor).settings, above,
-                  scenario_.scenario.displayName(),
-                  into / frameFile(frame.sensor, number, extension, frame.band).filename());
-    }
+                  scenario_.scenario.displayName(), into / file.filename());
 }
 
 Provenance FrameFiles::provenanceOf(const SensorResult& result, AnalysisState state) const {

@@ -37,6 +37,9 @@ class FrameFiles {
     /// "frame_000012.exr", of one of several bands "frame_000012@3-5um.exr".
     std::filesystem::path frameFile(std::size_t sensor, std::size_t number,
                                     const std::string& extension, std::size_t band = 0) const;
+    /// The same in every form, in the order in which they are written.
+    std::vector<std::filesystem::path> framesOf(std::size_t sensor, std::size_t number,
+                                                std::size_t band) const;
     /// Of the frames of a sensor; the name of a sensor is one.
     std::filesystem::path frameFolder(std::size_t sensor) const;
     /// By its name.

@@ -57,7 +57,7 @@ TEST(SmatBatchSimulate, AFilmHasOneScaleOfColours) {
     write(folder / "sphere.csv", approachPath);
     const Ran ran = simulated(folder, {"--film", "near.png"});
     ASSERT_EQ(ran.exitCode, 0) << ran.err;
-    EXPECT_THAT(ran.out, HasSubstr("-> near.png"));
+    EXPECT_THAT(ran.out, HasSubstr("-> near-000000.png to near-000003.png"));
     // The same as frames whose limits are given: the least and the largest value of all.
     float low = INFINITY, high = -INFINITY;
     for (int frame = 0; frame < 4; ++frame) {

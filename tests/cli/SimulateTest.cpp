@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <ostream>
+#include <set>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -217,11 +218,84 @@ TEST(SmatBatchSimulate, ADryRunSaysWhatWouldBeDrawn) {
     const Ran ran = smatBatch({"simulate", flyby, "--dry-run"});
     EXPECT_EQ(ran.exitCode, 0) << ran.err;
     EXPECT_THAT(ran.out, HasSubstr("mwir: 25 steps from 0 to 12 s, 320 x 240 px"));
-    EXPECT_THAT(ran.out, HasSubstr("frame_000000 to frame_000024"));
+    EXPECT_THAT(ran.out, HasSubstr("frame_000000.exr to frame_000024.exr"));
     const auto json = nlohmann::json::parse(
         smatBatch({"simulate", flyby, "--dry-run", "--json", "--sensor", "lwir"}).out);
     ASSERT_EQ(json["plans"].size(), 1u);
     EXPECT_EQ(json["plans"][0]["steps"], 25);
+}
+
+/// Files below a folder, by their places in it.
+std::set<std::string> filesBelow(const std::filesystem::path& folder) {
+    std::set<std::string> files;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+        if (entry.is_regular_file()) {
+            files.insert(entry.path().lexically_relative(folder).string());
+        }
+    }
+    return files;
+}
+
+TEST(SmatBatchSimulate, ADryRunListsTheFilesThatTheRunWritesAndNoOther) {
+    // The sphere that one of the sensors tracks is there from 1 to 3 s, what a third tracks never.
+    const std::string sensors = std::string(south) +
+                                R"(, {"name": "both", "position_m": [0, 0, 100], "track": "sphere",
+              "sensor": {"band": "3-5,8-12"}})";
+    const std::string never =
+        sensors + R"(, {"name": "never", "position_m": [0, 0, 100], "track": "late"})";
+    const std::string late = R"("trajectory": "late.csv")";
+    const struct {
+        const char* name;
+        Words more;
+        std::string sensors;
+        std::size_t frames, films;
+    } rows[] = {{"one form", {}, sensors, 5 + 6, 0},
+                {"three forms and pictures",
+                 {"--format", "exr", "--format", "csv", "--format", "png", "--film", "film.png"},
+                 sensors,
+                 3 * (5 + 6),
+                 3},
+                {"one film", {"--sensor", "south", "--film", "film.png"}, sensors, 5, 1},
+                {"a sensor that sees nothing", {"--film", "film.png"}, never, 5 + 6, 3},
+                {"some steps", {"--from", "2", "--to", "4"}, sensors, 3 + 4, 0},
+                {"a part of the steps", {"--shard", "2/2"}, sensors, 2 + 4, 0}};
+    for (const auto& row : rows) {
+        SCOPED_TRACE(row.name);
+        const TemporaryFolder folder;
+        write(folder / "sphere.csv",
+              "t,x,y,z,yaw,pitch,roll\n1,0,200,100,0,0,0\n3,4,200,100,0,0,0\n");
+        write(folder / "late.csv",
+              "t,x,y,z,yaw,pitch,roll\n91,0,200,100,0,0,0\n93,4,200,100,0,0,0\n");
+        write(folder / "s.json",
+              scenarioOf(entity("sphere", "sphere", R"("trajectory": "sphere.csv")") + "," +
+                             entity("late", "sphere", late),
+                         row.sensors));
+        const std::set<std::string> before = filesBelow(folder.path());
+        Words dry = row.more;
+        dry.insert(dry.end(), {"--dry-run", "--json"});
+        const Ran announced = simulated(folder, dry);
+        ASSERT_EQ(announced.exitCode, 0) << announced.err;
+        EXPECT_EQ(filesBelow(folder.path()), before) << "a dry run writes nothing";
+        const auto json = nlohmann::json::parse(announced.out);
+        std::set<std::string> listed;
+        std::size_t frames = 0;
+        const bool isPart = std::ranges::find(row.more, "--shard") != row.more.end();
+        for (const auto& plan : json["plans"]) {
+            frames += plan["frames"].size();
+            listed.insert(plan["frames"].begin(), plan["frames"].end());
+            listed.insert(plan["settings"].get<std::string>());
+            listed.insert(plan["table"].get<std::string>() + (isPart ? ".part2of2" : ""));
+        }
+        EXPECT_EQ(frames, row.frames);
+        EXPECT_EQ(json["films"].size(), row.films);
+        for (const auto& film : json["films"]) {
+            listed.insert(film.begin(), film.end());
+        }
+        listed.insert(before.begin(), before.end());
+        const Ran ran = simulated(folder, row.more);
+        ASSERT_EQ(ran.exitCode, 0) << ran.err;
+        EXPECT_EQ(filesBelow(folder.path()), listed);
+    }
 }
 
 TEST(SmatBatchSimulate, AnImagingSensorFileSetsWhatItSays) {
