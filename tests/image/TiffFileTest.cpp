@@ -165,6 +165,86 @@ TEST(TiffFile, ReadsStoredValuesThatStandForNoneAsNaN) {
     EXPECT_THAT(testing::PrintToString(remarks.sentences()), HasSubstr("'x' is no number"));
 }
 
+/// A page of two pixels of two samples, 1 10 and 2 20, with the text of this tag behind it.
+std::filesystem::path gdalFile(const std::string& metadata, const std::string& missing = "") {
+    const auto made = [&](std::uint32_t place) {
+        HandMade page;
+        page.size(2, 1, 16, 1).entry(277, 3, 2);
+        page.entry(42112, 2, place, metadata.size() + 1);
+        if (!missing.empty()) {
+            std::uint32_t value = 0;
+            for (std::size_t i = 0; i < missing.size(); ++i) {
+                value |= static_cast<std::uint32_t>(static_cast<unsigned char>(missing[i]))
+                         << (8 * i);
+            }
+            page.entry(42113, 2, value, missing.size() + 1);
+        }
+        return page.data(std::vector<std::uint16_t>{1, 10, 2, 20}).bytes();
+    };
+    const auto place = static_cast<std::uint32_t>(made(0).size());
+    return writtenFile(ownFolder() / "gdal.tif", made(place) + metadata + std::string(1, '\0'));
+}
+std::string gdalItem(const std::string& role, const std::string& sample, const std::string& text) {
+    return "<Item name=\"X\" sample=\"" + sample + "\" role=\"" + role + "\">" + text + "</Item>";
+}
+std::string gdalMetadata(const std::string& items) {
+    return "<GDALMetadata>\n<Item name=\"AREA\">some words &amp; more</Item>\n" + items +
+           "</GDALMetadata>\n";
+}
+
+TEST(TiffFile, AppliesScaleOffsetAndUnitOfGdalToEachSample) {
+    const CollectedRemarks remarks;
+    const RadianceImage image = readTiff(
+        gdalFile(gdalMetadata(gdalItem("scale", "0", "0.5") + gdalItem("offset", "0", "273.25") +
+                              gdalItem("unittype", "0", "K") + gdalItem("offset", "1", "-1e1"))));
+    ASSERT_EQ(image.channels.size(), 2U);
+    EXPECT_EQ(image.channels[0].values, (std::vector<float>{273.75F, 274.25F}));
+    EXPECT_EQ(image.channels[0].unit, "K");
+    EXPECT_EQ(image.channels[1].values, (std::vector<float>{0.0F, 10.0F}));
+    EXPECT_EQ(image.channels[1].unit, "");
+    const std::string told = testing::PrintToString(remarks.sentences());
+    EXPECT_THAT(told, HasSubstr("page 1, sample 1: scale 0.5 and offset 273.25"));
+    EXPECT_THAT(told, HasSubstr("page 1, sample 2: scale 1 and offset -10"));
+    EXPECT_THAT(told, HasSubstr("sample 1: the unit K"));
+    // The value that stands for none is a stored one, not one that the scale makes.
+    const RadianceImage holed = readTiff(gdalFile(gdalMetadata(gdalItem("scale", "0", "2")), "2"));
+    EXPECT_EQ(holed.channels[0].values[0], 2.0F);
+    EXPECT_TRUE(std::isnan(holed.channels[0].values[1]));
+    EXPECT_EQ(holed.channels[1].values, (std::vector<float>{10.0F, 20.0F}));
+}
+
+TEST(TiffFile, LeavesOutWhatGdalStatesInVainWithARemark) {
+    const struct {
+        const char* name;
+        std::string metadata;
+        const char* told; ///< "" for nothing
+    } rows[] = {
+        {"no number", gdalMetadata(gdalItem("scale", "0", "half")), "the scale 'half'"},
+        {"nothing", gdalMetadata(gdalItem("offset", "0", "")), "the offset ''"},
+        {"infinite", gdalMetadata(gdalItem("offset", "1", "inf")), "the offset 'inf'"},
+        {"a scale of 0", gdalMetadata(gdalItem("scale", "0", "0")), "the scale '0'"},
+        {"a third sample", gdalMetadata(gdalItem("scale", "2", "3")), "sample '2'"},
+        {"a negative sample", gdalMetadata(gdalItem("scale", "-1", "3")), "sample '-1'"},
+        {"damaged", "<GDALMetadata><Item role=\"scale\" sample=\"0\">2", "no sound XML"},
+        {"of the whole file", gdalMetadata("<Item name=\"s\" role=\"scale\">3</Item>"),
+         "sample ''"},
+        {"other words", gdalMetadata(gdalItem("description", "0", "2")), ""},
+        {"another root", "<Other>" + gdalItem("scale", "0", "3") + "</Other>", ""},
+        {"scale 1", gdalMetadata(gdalItem("scale", "0", "1") + gdalItem("offset", "0", "0")), ""}};
+    for (const auto& row : rows) {
+        SCOPED_TRACE(row.name);
+        const CollectedRemarks remarks;
+        const RadianceImage image = readTiff(gdalFile(row.metadata));
+        EXPECT_EQ(image.channels[0].values, (std::vector<float>{1.0F, 2.0F}));
+        EXPECT_EQ(image.channels[1].values, (std::vector<float>{10.0F, 20.0F}));
+        if (*row.told == '\0') {
+            EXPECT_TRUE(remarks.sentences().empty());
+        } else {
+            EXPECT_THAT(testing::PrintToString(remarks.sentences()), HasSubstr(row.told));
+        }
+    }
+}
+
 TEST(TiffFile, SplitsSamplesOfAPixelIntoPlanes) {
     const RadianceImage image = readTiff(
         writtenFile(ownFolder() / "two.tif", HandMade()
