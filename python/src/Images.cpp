@@ -195,7 +195,7 @@ InputError
 Parameters
 ----------
 name : str
-    One of `planes`; '' for 'L', or the only plane.
+    One of `planes`; '' for the only plane, one shown in place of radiance, or 'L'.
 
 Returns
 -------

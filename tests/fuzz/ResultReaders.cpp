@@ -39,6 +39,7 @@ MonteCarloData monteCarloRun() {
     data.abscissaKey = "range";
     data.abscissaUnit = "m";
     data.abscissae = {100.0, 200.0};
+    data.otherAxes = {{"power", "", {0.5, 1.0}}};
     data.bands = {""};
     data.values = {{1.0, 2.0, 3.0}, {2.0, 3.0, 4.0}};
     data.nominal = {2.0, 3.0};
@@ -48,10 +49,11 @@ MonteCarloData monteCarloRun() {
     ResultTable& table = data.analysis.table;
     table.provenance.add("analysis", "range");
     table.add("range", "m");
+    table.add("power", "");
     table.add(data.columnKey("nominal", 0), "W sr-1");
     table.add(data.columnKey("error_numerical", 0), "W sr-1");
-    table.addRow({100.0, 2.0, 0.1});
-    table.addRow({200.0, 3.0, 0.1});
+    table.addRow({100.0, 0.5, 2.0, 0.1});
+    table.addRow({200.0, 1.0, 3.0, 0.1});
     return data;
 }
 
