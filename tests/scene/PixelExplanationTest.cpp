@@ -155,8 +155,11 @@ TEST_F(PixelExplanationTest, SharesAPixelThatAnEdgeCrosses) {
     ASSERT_EQ(pixel.surfaces.size(), 1u);
     EXPECT_EQ(pixel.samples, 16);
     EXPECT_FALSE(pixel.isInterior);
-    EXPECT_CLOSE(pixel.surfaces.front().share, 0.5, 1e-12);
-    EXPECT_CLOSE(pixel.backgroundLeft_W_m2_sr, 0.5 * 0.4 * width_um, 1e-9);
+    // Of its area; the half nearer to the axis has more of the solid angle.
+    const double pitch = irsg.view.sensor.pixelPitch(), u = 2.5 * pitch, v = 0.5 * pitch;
+    const double share = 0.5 * (1.0 + 3.0 * 0.25 * pitch * u / (1.0 + u * u + v * v));
+    EXPECT_CLOSE(pixel.surfaces.front().share, share, 1e-12);
+    EXPECT_CLOSE(pixel.backgroundLeft_W_m2_sr, (1.0 - share) * 0.4 * width_um, 1e-9);
     EXPECT_CLOSE(pixel.radiance_W_m2_sr, drawn, 1e-6);
 }
 
