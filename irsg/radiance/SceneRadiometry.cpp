@@ -151,15 +151,16 @@ std::vector<int> SceneRadiometry::partsOf(int drawn) const {
 
 void SceneRadiometry::takeGases(const std::vector<Entity>& entities,
                                 const std::vector<SampledBand>& bands) {
-    std::map<int, GasColumnSpectra::OfEntity> gases;
     for (const auto& [drawn, zone] : rows_.gases()) {
         const auto& [e, codes] = rows_.keyOf(drawn);
         const auto entity = static_cast<std::size_t>(e);
-        GasColumnSpectra::OfEntity& of = gases[e];
-        of.gases.emplace(codes, gasOf(*materialEntry(entities[entity], codes.material),
+        gases_[e].gases.emplace(codes,
+                                gasOf(*materialEntry(entities[entity], codes.material),
                                       surfaces_[static_cast<std::size_t>(drawn)].temperature_K));
-        of.air = bands.front().air.objects[entity].beforeGas;
     }
+    std::map<int, GasColumnSpectra::OfEntity> gases = gases_;
+    for (auto& [e, of] : gases)
+        of.air = bands.front().air.objects[static_cast<std::size_t>(e)].beforeGas;
     const auto [least, most] = std::ranges::minmax(wavelengths_um_);
     std::vector<GasColumnSpectra::Nodes> nodes;
     nodes.reserve(bands.size());

@@ -61,6 +61,8 @@ class SceneRadiometry {
     const GasColumnSpectra::Column& gasColumn(int entity, int number) const {
         return gasColumns_->of(entity, number);
     }
+    /// The gases of entities that have any, without the air before them.
+    const std::map<int, GasColumnSpectra::OfEntity>& gases() const { return gases_; }
 
     /// Weights times what materials in front let through, for `count` nodes from `first` on. With
     /// `throughAir` of light that passes the air afterwards, whose lines coincide with those of
@@ -111,6 +113,7 @@ class SceneRadiometry {
     /// By drawn row: in-band emission of every part at a factor of 1, output by output.
     std::vector<std::vector<double>> thermal_W_m2_sr_;
     std::map<std::pair<int, int>, std::vector<double>> transmissivities_;
+    std::map<int, GasColumnSpectra::OfEntity> gases_;
     std::unique_ptr<const GasColumnSpectra> gasColumns_; // where there is gas
     std::vector<std::string> warnings_;
     std::mutex sampling_;

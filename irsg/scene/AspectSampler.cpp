@@ -278,76 +278,91 @@ const PointGeometry& AspectSampler::pointGeometry(const Frame& frame, const Obje
     });
 }
 
-void AspectSampler::addAlongRange(const Frame& frame, const AlongRange& one,
-                                  const std::vector<const FrameBackground*>& varying,
-                                  ViewGeometry& view) {
+AspectSampler::Along AspectSampler::along(const Frame& frame, const AlongRange& one) {
     forgetOtherTerrain(frame);
-    const ObjectExtent& object = one.object;
-    const Entity& entity = frame.request.entity(object.entity);
-    const ObjectGeometry& geometry =
-        frame.evaluation().geometry[static_cast<std::size_t>(object.entity)];
-    const bool isFromOne = frame.request.sampledFrom_m.has_value();
-    // In air every range takes the drawings of nodes, whether it is sliced there or not.
-    const bool isSliced =
-        geometry.slices_m.size() > 1 || (!isFromOne && geometry.atmosphereError > 0.0);
-    const double reach_m = prepared_.reach_m(entity);
+    const int number = one.object.entity;
+    const Entity& entity = frame.request.entity(number);
+    const ObjectGeometry& geometry = frame.evaluation().geometry[static_cast<std::size_t>(number)];
     const Vec3 from = prepared_.lineOfSight(entity, frame.request.view.viewpoint.position_m);
-    PointAspect aspect = aspectOf(frame, object.entity, from);
+    // In air every range takes the same drawings, whether it is sliced there or not.
+    const bool isSliced = geometry.slices_m.size() > 1 || geometry.atmosphereError > 0.0;
+    PointAspect aspect = aspectOf(frame, number, from);
     appendTo(aspect.numbers, prepared_.referencePoint(entity));
     aspect.numbers.push_back(isSliced ? 1.0 : 0.0);
     if (one.isAmongTerrain) {
         appendTo(aspect.numbers, entity.pose.position_m);
         appendTo(aspect.numbers, entity.pose.attitude);
     }
+    return {entity, from, prepared_.reach_m(entity), isSliced, std::move(aspect)};
+}
 
+SurfaceRows AspectSampler::rowsAt(const Frame& frame, const AlongRange& one, const Along& along,
+                                  double distance_m) {
+    const std::size_t slices =
+        frame.request.sampledFrom_m ? RangeGeometry::slicesFromOne : RangeGeometry::slices;
+    return renderedRows(frame.rows(), frame.scene().entities.size(), one.object.entity,
+                        along.isSliced ? slicesAbout(distance_m, along.reach_m, slices)
+                                       : SliceNodes{});
+}
+
+AspectSampler::FromOne AspectSampler::drawnFromOne(const Frame& frame, const AlongRange& one,
+                                                   bool withPlaces) {
+    const Along along = this->along(frame, one);
+    const double distance_m =
+        RangeGeometry::sampledFrom_m(*frame.request.sampledFrom_m, along.reach_m);
+    SurfaceRows rows = rowsAt(frame, one, along, distance_m);
+    CameraFrame camera =
+        prepared_.cameraAlong(along.entity, along.from, distance_m, frame.sensor());
+    const RangeGeometry::FromOne& drawn =
+        rangeFactors_.from(one.object.entity, along.aspect, distance_m, withPlaces, [&] {
+            return sampleFromOne(
+                frame, camera, distance_m, withPlaces,
+                {one.object.entity, frame.settings().tileSide_samples, rows, one.isAmongTerrain});
+        });
+    return {drawn, std::move(rows), std::move(camera)};
+}
+
+void AspectSampler::addAlongRange(const Frame& frame, const AlongRange& one,
+                                  const std::vector<const FrameBackground*>& varying,
+                                  ViewGeometry& view) {
+    const ObjectExtent& object = one.object;
+    const ObjectGeometry& geometry =
+        frame.evaluation().geometry[static_cast<std::size_t>(object.entity)];
     const RangePlace place{geometry.path.range_m, frame.sensor().pixelPitch()};
-    const auto rowsAt = [&](double distance_m) {
-        return renderedRows(
-            frame.rows(), frame.scene().entities.size(), object.entity,
-            isSliced ? slicesAbout(distance_m, reach_m,
-                                   isFromOne ? RangeGeometry::slicesFromOne : RangeGeometry::slices)
-                     : SliceNodes{});
-    };
     const auto add = [&](const ViewGeometry& drawn, const SurfaceRows& rows, double distance_m,
                          double weight, const RadianceBehindKind& behind, bool isError) {
         // The contrasts of an error are those of the sum already.
         addAtRange(drawn, weight, rows, distance_m, frame.rows(), place, behind,
                    isError ? view.sublatticeDifferences.back() : view);
     };
-    const double nearness = reach_m / place.range_m;
     const bool withErrors = !view.sublatticeDifferences.empty();
-    if (isFromOne) {
-        const double distance_m =
-            RangeGeometry::sampledFrom_m(*frame.request.sampledFrom_m, reach_m);
-        const SurfaceRows rows = rowsAt(distance_m);
-        const CameraFrame camera = prepared_.cameraAlong(entity, from, distance_m, frame.sensor());
-        const RangeGeometry::FromOne& drawn =
-            rangeFactors_.from(object.entity, aspect, distance_m, !varying.empty(), [&] {
-                return sampleFromOne(
-                    frame, camera, distance_m, !varying.empty(),
-                    {object.entity, frame.settings().tileSide_samples, rows, one.isAmongTerrain});
-            });
+    if (frame.request.sampledFrom_m) {
+        const FromOne drawn = drawnFromOne(frame, one, !varying.empty());
+        const double distance_m = drawn.of.distance_m;
+        const Entity& entity = frame.request.entity(object.entity);
         const RadianceBehindKind behind =
             varying.empty() ? RadianceBehindKind()
-                            : radianceBehind(*drawn.places, varying, camera.viewpoint(),
+                            : radianceBehind(*drawn.of.places, varying, drawn.camera.viewpoint(),
                                              entity.pose.toWorld(prepared_.referencePoint(entity)),
                                              frame.request.camera);
-        add(drawn.view, rows, distance_m, 1.0, behind, false);
+        add(drawn.of.view, drawn.rows, distance_m, 1.0, behind, false);
         if (withErrors)
-            add(drawn.view, rows, distance_m,
+            add(drawn.of.view, drawn.rows, distance_m,
                 RangeGeometry::errorFrom(one.reach_m / distance_m, one.reach_m / place.range_m),
                 behind, true);
         return;
     }
+    const Along along = this->along(frame, one);
+    const double nearness = along.reach_m / place.range_m;
     const auto addNode = [&](std::size_t node, double weight, bool isError) {
-        const double distance_m = reach_m / RangeGeometry::nodes[node];
-        const SurfaceRows rows = rowsAt(distance_m);
-        const ViewGeometry& drawn = rangeFactors_.at(object.entity, aspect, node, [&] {
+        const double distance_m = along.reach_m / RangeGeometry::nodes[node];
+        const SurfaceRows rows = rowsAt(frame, one, along, distance_m);
+        const ViewGeometry& drawn = rangeFactors_.at(object.entity, along.aspect, node, [&] {
             // No phases average the error of a node, so that its tile is larger than that of a
             // frame.
             return sampleFrom(
-                frame, prepared_.cameraAlong(entity, from, distance_m, frame.sensor()), distance_m,
-                {object.entity, frame.settings().tileSide_samples * 3 / 2, rows});
+                frame, prepared_.cameraAlong(along.entity, along.from, distance_m, frame.sensor()),
+                distance_m, {object.entity, frame.settings().tileSide_samples * 3 / 2, rows});
         });
         add(drawn, rows, distance_m, weight, {}, isError);
     };

@@ -36,7 +36,26 @@ class AspectSampler {
     void addAlongRange(const Frame& frame, const AlongRange& one,
                        const std::vector<const FrameBackground*>& varying, ViewGeometry& view);
 
+    /// The factors of an object from the range that the request samples it from, and their rows.
+    struct FromOne {
+        const RangeGeometry::FromOne& of; ///< valid until the next one
+        SurfaceRows rows;
+        CameraFrame camera;
+    };
+    FromOne drawnFromOne(const Frame& frame, const AlongRange& one, bool withPlaces);
+
   private:
+    /// An object along a line of sight, in model axes.
+    struct Along {
+        const Entity& entity;
+        Vec3 from;
+        double reach_m = 0.0;
+        bool isSliced = false;
+        PointAspect aspect;
+    };
+    Along along(const Frame& frame, const AlongRange& one);
+    static SurfaceRows rowsAt(const Frame& frame, const AlongRange& one, const Along& along,
+                              double distance_m);
     /// An entity as it is seen from a direction in its model's axes.
     PointAspect aspectOf(const Frame& frame, int entity, const Vec3& from) const;
     /// Forgets what was sampled beside another terrain, which aspects do not name.

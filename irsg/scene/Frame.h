@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "irsg/radiance/SpectraBeforeAir.h"
 #include "irsg/scene/FramePlan.h"
 #include "irsg/scene/FrameRequest.h"
 #include "irsg/scene/SceneSurfaces.h"
@@ -15,6 +16,8 @@ struct Frame {
     SceneSurfaces surfaces;
     FrameBackgrounds backgrounds;
     FramePlan plan;
+    /// What the one object of the frame sends; null: samples give it.
+    std::shared_ptr<const SpectraBeforeAir> spectra = nullptr;
 
     const Scene& scene() const { return request.scene; }
     const RenderSettings& settings() const { return request.scene.settings; }

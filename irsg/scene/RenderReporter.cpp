@@ -77,6 +77,26 @@ std::vector<RenderReport> RenderReporter::reports(const Frame& frame, const View
         ErrorsByOutput errors;
         if (frame.request.withErrors)
             errors = errors_.ofBands(frame, factors, sums);
+        return reportsOf(frame, std::move(sums), errors, factors.layersLeftOver);
+    });
+}
+
+std::vector<RenderReport> RenderReporter::reports(const Frame& frame) {
+    return clock_.timed("evaluation", [&] {
+        const SceneEvaluation& evaluation = frame.evaluation();
+        ObjectSums sums = frame.spectra->at({*evaluation.sampled, evaluation.background(),
+                                             evaluation.geometry.front().path.range_m,
+                                             frame.sensor().pixelPitch()});
+        return reportsOf(frame, {std::move(sums)}, {}, frame.spectra->layersLeftOver());
+    });
+}
+
+std::vector<RenderReport> RenderReporter::reportsOf(const Frame& frame,
+                                                    std::vector<ObjectSums> sums,
+                                                    const ErrorsByOutput& errors,
+                                                    int layersLeftOver) {
+    const std::vector<double> ranges_m = frame.evaluation().ranges_m();
+    {
         std::vector<RenderReport> all(sums.size());
         for (std::size_t band = 0; band < sums.size(); ++band) {
             RenderReport& report = all[band];
@@ -97,7 +117,7 @@ std::vector<RenderReport> RenderReporter::reports(const Frame& frame, const View
                 report.objects[e].errors = errors[band][e];
             if (frame.request.withErrors)
                 report.all.errors = errors[band].back();
-            report.layersLeftOver = factors.layersLeftOver;
+            report.layersLeftOver = layersLeftOver;
             for (const AlongRange& one : frame.plan.alongRange)
                 report.alongRangeReach_m = std::max(report.alongRangeReach_m, one.reach_m);
             fill(frame, band, report);
@@ -108,7 +128,7 @@ std::vector<RenderReport> RenderReporter::reports(const Frame& frame, const View
             for (RenderReport& report : all)
                 report.warnings.push_back(publishedTilesInSums);
         return all;
-    });
+    }
 }
 
 double RenderReporter::projectedSolidAngle_sr(const Sensor& sensor) {

@@ -23,6 +23,8 @@ class RenderReporter {
 
     /// By output, from the factors of a view.
     std::vector<RenderReport> reports(const Frame& frame, const ViewGeometry& factors);
+    /// From the spectra of a frame.
+    std::vector<RenderReport> reports(const Frame& frame);
     /// What the pixels of a picture of at most one object add up to, in the first band.
     RenderReport report(const Frame& frame, const FrameReduction& pixels,
                         const FrameBackground& background);
@@ -31,6 +33,9 @@ class RenderReporter {
                          RadianceImage& image);
 
   private:
+    /// `errors`: by output, none where nobody asked for them.
+    std::vector<RenderReport> reportsOf(const Frame& frame, std::vector<ObjectSums> sums,
+                                        const ErrorsByOutput& errors, int layersLeftOver);
     void fill(const Frame& frame, std::size_t output, RenderReport& report);
     double totalIrradiance_W_m2(const Frame& frame, const FrameBackground& background,
                                 double contrast_W_m2);

@@ -127,12 +127,16 @@ PendingRender Renderer::begin(const Scene& scene, const SensorView& view, const 
         return PendingRender([made] { return std::move(*made); });
     }
     auto begun = std::make_shared<Begun>(*impl_, scene, view, outputs);
-    begun->drawing = impl_->sampler.begin(begun->frame);
+    if (!begun->frame.spectra)
+        begun->drawing = impl_->sampler.begin(begun->frame);
     return PendingRender(
         [this, begun] {
             Rendered made;
-            made.reports = impl_->reports(begun->frame,
-                                          impl_->sampler.factorsOf(begun->frame, *begun->drawing));
+            made.reports =
+                begun->drawing
+                    ? impl_->reports(begun->frame,
+                                     impl_->sampler.factorsOf(begun->frame, *begun->drawing))
+                    : impl_->reports(begun->frame);
             return made;
         },
         mostThreads() > 1);
@@ -187,7 +191,12 @@ HazeGains Renderer::Impl::hazeGains(const Scene& scene, const SensorView& view, 
 }
 
 std::vector<RenderReport> Renderer::Impl::reports(const Frame& frame, const ViewGeometry& factors) {
-    std::vector<RenderReport> all = reporter.reports(frame, factors);
+    return withHaze(frame, reporter.reports(frame, factors));
+}
+
+std::vector<RenderReport> Renderer::Impl::withHaze(const Frame& frame,
+                                                   std::vector<RenderReport> direct) {
+    std::vector<RenderReport> all = std::move(direct);
     // Behind the bands their sources, which no droplets are before.
     for (std::size_t k = 0; frame.settings().scattering && k < frame.request.bands.size(); ++k)
         addHaze(hazeGains(frame.scene(), frame.request.view, frame.request.bands[k],
@@ -202,6 +211,8 @@ Frame Renderer::Impl::frame(const Scene& scene, const SensorView& view, const Ou
     checkScene(scene.entities, geometry, scene.environment, view.sensor, request.bands,
                scene.settings);
     FrameEngine engine = engines.of(request, geometry);
+    if (std::optional<Frame> known = spectraAlong.frame(request, geometry, engine))
+        return *std::move(known);
     SceneEvaluation evaluation = evaluator.evaluate(request, std::move(geometry));
     FrameBackgrounds backgrounds =
         evaluator.backgrounds(request, evaluation, engine.terrainPainter);
@@ -217,7 +228,9 @@ Frame Renderer::Impl::frame(const Scene& scene, const SensorView& view, const Ou
                           std::move(items),
                           std::move(ground)};
     FramePlan plan = planner.plan(request, ofScene, backgrounds);
-    return {std::move(request), std::move(ofScene), std::move(backgrounds), std::move(plan)};
+    Frame frame{std::move(request), std::move(ofScene), std::move(backgrounds), std::move(plan)};
+    spectraAlong.addTo(frame);
+    return frame;
 }
 
 struct Renderer::Explainer {

@@ -8,6 +8,7 @@
 #include "irsg/radiance/OccluderStacks.h"
 #include "irsg/render/background/TerrainRays.h"
 #include "irsg/scene/AspectSampler.h"
+#include "irsg/scene/AspectSpectra.h"
 #include "irsg/scene/Frame.h"
 #include "irsg/scene/FramePlanner.h"
 #include "irsg/scene/FrameSampler.h"
@@ -46,6 +47,7 @@ struct Renderer::Impl {
     SurfaceSampler surfaces{terms, clock};
     FramePlanner planner{terms, prepared, surfaces, clock};
     AspectSampler aspects{terms, prepared, planner, surfaces, occluderStacks, clock};
+    AspectSpectra spectraAlong{terms, prepared, planner, evaluator, aspects, occluderStacks};
     FrameSampler sampler{terms, surfaces, aspects, occluderStacks, clock};
     RenderErrorEstimator errors{terms, evaluator, occluderStacks};
     RenderReporter reporter{errors, clock};
@@ -56,10 +58,12 @@ struct Renderer::Impl {
     /// as long as the frame.
     Frame frame(const Scene& scene, const SensorView& view, const Outputs& outputs);
     std::vector<RenderReport> reports(const Frame& frame) {
-        return reports(frame, sampler.factorsOf(frame));
+        return frame.spectra ? withHaze(frame, reporter.reports(frame))
+                             : reports(frame, sampler.factorsOf(frame));
     }
     /// With the haze of a picture in each band, where there is scattering.
     std::vector<RenderReport> reports(const Frame& frame, const ViewGeometry& factors);
+    std::vector<RenderReport> withHaze(const Frame& frame, std::vector<RenderReport> direct);
     /// What haze makes of the sums over the objects of a view in a band, as in a picture.
     HazeGains hazeGains(const Scene& scene, const SensorView& view, const Band& band,
                         double pathDepth);

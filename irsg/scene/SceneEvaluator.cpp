@@ -102,39 +102,55 @@ BandSky::Seen throughDepth(const FrameRequest& request, const SceneEvaluation& e
 
 } // namespace
 
+SceneEvaluation SceneEvaluator::pathsOf(const FrameRequest& request,
+                                        std::vector<ObjectGeometry> geometry) {
+    const Scene& scene = request.scene;
+    answers_.setEnvironment(scene.environment);
+    takeSpecularEnvironmentGrids(scene, request.bands.front(), geometry);
+    SceneEvaluation made;
+    made.sampled = sampledScenes_.of(answers_, airScene(request, geometry), request.bands,
+                                     request.withSources, sampler(scene, answers_));
+    for (std::size_t e = 0; e < geometry.size(); ++e) {
+        geometry[e].slices_m = made.sampled->slices_m[e];
+        geometry[e].atmosphereError = made.sampled->atmosphereError[e];
+        geometry[e].likelyAtmosphereError = made.sampled->likelyAtmosphereError[e];
+    }
+    if (hasBackgroundBehind(scene))
+        made.behind = backgroundBehind(answers_, request, made.sampled->bands, geometry);
+    if (!made.behind.background && request.withErrors &&
+        scene.settings.background == BackgroundMode::environment) {
+        made.compared.geometry = geometry;
+        made.compared.behind =
+            backgroundBehind(answers_, request, made.sampled->bands, made.compared.geometry);
+    }
+    made.geometry = std::move(geometry);
+    return made;
+}
+
 SceneEvaluation SceneEvaluator::evaluate(const FrameRequest& request,
                                          std::vector<ObjectGeometry> geometry) {
     return clock_.timed("radiometry", [&] {
         const Scene& scene = request.scene;
-        answers_.setEnvironment(scene.environment);
-        takeSpecularEnvironmentGrids(scene, request.bands.front(), geometry);
-        std::shared_ptr<const SampledScene> sampled =
-            sampledScenes_.of(answers_, airScene(request, geometry), request.bands,
-                              request.withSources, sampler(scene, answers_));
-        for (std::size_t e = 0; e < geometry.size(); ++e) {
-            geometry[e].slices_m = sampled->slices_m[e];
-            geometry[e].atmosphereError = sampled->atmosphereError[e];
-            geometry[e].likelyAtmosphereError = sampled->likelyAtmosphereError[e];
-        }
-        BackgroundBehind behind;
-        if (hasBackgroundBehind(scene))
-            behind = backgroundBehind(answers_, request, sampled->bands, geometry);
-        decltype(SceneEvaluation::compared) compared;
-        if (!behind.background && request.withErrors &&
-            scene.settings.background == BackgroundMode::environment) {
-            compared.geometry = geometry;
-            compared.behind =
-                backgroundBehind(answers_, request, sampled->bands, compared.geometry);
-        }
-        std::shared_ptr<EvaluatedScene> evaluated =
-            radiometry_.of(terms_, scene.entities, geometry, sampled, occluderStacks_);
-        evaluated->radiances.setBackground(behind.background ? behind.background
-                                                             : sampled->background);
-        std::vector<SurfaceRow> rows = rowsOf(*evaluated);
-        std::vector<bool> hot = hotRows(scene, geometry, sampled, evaluated->radiometry);
-        return SceneEvaluation{std::move(geometry), std::move(sampled),   std::move(behind),
-                               std::move(compared), std::move(evaluated), std::move(rows),
-                               std::move(hot)};
+        SceneEvaluation made = pathsOf(request, std::move(geometry));
+        made.evaluated =
+            radiometry_.of(terms_, scene.entities, made.geometry, made.sampled, occluderStacks_);
+        made.evaluated->radiances.setBackground(made.background());
+        made.rows = rowsOf(*made.evaluated);
+        made.hot = hotRows(scene, made.geometry, made.sampled, made.evaluated->radiometry);
+        return made;
+    });
+}
+
+SceneEvaluation SceneEvaluator::atOtherRange(const FrameRequest& request,
+                                             std::vector<ObjectGeometry> geometry,
+                                             const SceneEvaluation& known) {
+    return clock_.timed("radiometry", [&] {
+        SceneEvaluation made = pathsOf(request, std::move(geometry));
+        made.evaluated = known.evaluated;
+        made.evaluated->radiances.setBackground(made.background());
+        made.rows = known.rows;
+        made.hot.assign(known.hot.size(), false);
+        return made;
     });
 }
 

@@ -39,6 +39,10 @@ class SceneEvaluator {
     /// `geometry`: by entity, the paths that the atmosphere is asked along. Throws InputError where
     /// no atmosphere answers.
     SceneEvaluation evaluate(const FrameRequest& request, std::vector<ObjectGeometry> geometry);
+    /// The same of a scene that was evaluated at another range of the same line of sight: what its
+    /// surfaces send stays that, only paths and background are those of the request.
+    SceneEvaluation atOtherRange(const FrameRequest& request, std::vector<ObjectGeometry> geometry,
+                                 const SceneEvaluation& known);
     /// By output. Throws what SceneBackground::draw throws.
     FrameBackgrounds backgrounds(const FrameRequest& request, const SceneEvaluation& evaluation,
                                  TerrainPainter& terrainPainter);
@@ -73,6 +77,8 @@ class SceneEvaluator {
     samplingOf(const FrameRequest& request, const SceneEvaluation& evaluation, std::size_t band);
 
   private:
+    /// The air along the paths, and what is behind the objects; nothing of surfaces.
+    SceneEvaluation pathsOf(const FrameRequest& request, std::vector<ObjectGeometry> geometry);
     std::shared_ptr<const WidebandPoints> wideband(const Scene& scene, const Band& band);
     /// By drawn row, in the scene's states and the others of its sweep.
     std::vector<bool> hotRows(const Scene& scene, const std::vector<ObjectGeometry>& geometry,

@@ -18,8 +18,8 @@ using Found = irsg::DetectionRange::Found;
 
 /// Where the target of the first aspect is sampled, in nearest ranges at which it may be.
 constexpr double usual = 64.0;
-/// Of the target's reach over ranges: a twentieth of a per mille of the contrast at most.
-constexpr double nearnessThatMatters = 2.5e-5;
+/// Of the target's reach over ranges: half a per mille of the contrast at most.
+constexpr double nearnessThatMatters = 2.5e-4;
 constexpr int mostSamplings = 4;
 
 } // namespace

@@ -7,6 +7,7 @@
 #include "irsg/core/Errors.h"
 #include "irsg/core/ParallelFor.h"
 #include "irsg/radiance/exchange/GatheredSums.h"
+#include "irsg/radiometry/DotProducts.h"
 #include "irsg/radiometry/Units.h"
 
 namespace irsg {
@@ -395,6 +396,43 @@ void SceneLight::addFromOthers(std::span<const double> contracted, std::size_t f
     for (std::size_t c = 0; c < columns_.size(); ++c)
         for (std::size_t i = 0; i < all_W_m2_um.size(); ++i)
             all_W_m2_um[i] += sources_W_m2_um_[c][first + i] * partOf(contracted, c, first + i);
+}
+
+std::vector<double> SceneLight::sourcesByNode() const {
+    const std::size_t columns = columns_.size();
+    std::vector<double> all(columns * radiometry_.wavelengths_um().size());
+    for (std::size_t c = 0; c < columns; ++c)
+        for (std::size_t i = 0; i < sources_W_m2_um_[c].size(); ++i)
+            all[i * columns + c] = sources_W_m2_um_[c][i];
+    return all;
+}
+
+std::array<std::vector<double>, 2>
+SceneLight::reflectable(int row, const ReceiverSums& sums,
+                        std::span<const double> sourcesByNode) const {
+    const std::size_t nodes = radiometry_.wavelengths_um().size(), columns = columns_.size();
+    const int drawn = radiometry_.rows().renderedOf(row);
+    std::array<std::vector<double>, 2> falls_W_m2_um;
+    for (const bool withCosine : {false, true}) {
+        const std::vector<double> all = contracted(row, sums, withCosine);
+        std::vector<double>& falls = falls_W_m2_um[withCosine ? 1 : 0];
+        falls.assign(nodes, 0.0);
+        for (const auto& [lost, term] :
+             {std::pair{all[0], skyTerm_}, std::pair{all[1], groundTerm_}})
+            for (std::size_t i = 0; term >= 0 && lost != 0.0 && i < nodes; ++i)
+                falls[i] -= lost * lightOn(drawn, term)[i];
+        for (std::size_t i = 0; i < nodes; ++i) {
+            const LightKnots::Between& at = knotsOfNodes_.between[i];
+            const double* const source = sourcesByNode.data() + i * columns;
+            const auto knot = [&](std::size_t number) {
+                return dotProduct(all.data() + 2 + number * columns, source, columns);
+            };
+            const double low = knot(at.low);
+            falls[i] +=
+                at.high == at.low ? low : std::lerp(low, knot(at.high), knotsOfNodes_.parts[i]);
+        }
+    }
+    return falls_W_m2_um;
 }
 
 std::vector<double> SceneLight::summedSources(std::span<const std::size_t> nodes) const {

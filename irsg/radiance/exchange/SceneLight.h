@@ -99,6 +99,12 @@ class SceneLight {
     /// Adds what others send to what is contracted, for as many nodes as the vector holds.
     void addFromOthers(std::span<const double> contracted, std::size_t first,
                        std::vector<double>& all_W_m2_um) const;
+    /// The sources, columns of a node next to each other, W m-2 um-1.
+    std::vector<double> sourcesByNode() const;
+    /// What falls on receivers of a row beyond what open sky and ground give, by node, W m-2 um-1
+    /// times the unit of the sums; without and with their cosine.
+    std::array<std::vector<double>, 2> reflectable(int row, const ReceiverSums& sums,
+                                                   std::span<const double> sourcesByNode) const;
     /// Sources summed over nodes with the weights of the band, by column of each knot, W m-2.
     std::vector<double> summedSources(std::span<const std::size_t> nodes) const;
     /// Of sets of drawn rows, in nodes `first` to before `last`; made when first asked for.
