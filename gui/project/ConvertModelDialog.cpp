@@ -18,6 +18,7 @@
 #include <QVBoxLayout>
 
 #include "gui/analysis/ResultStore.h"
+#include "gui/project/PlacingFields.h"
 #include "gui/project/ProjectFiles.h"
 #include "gui/widgets/BackgroundPool.h"
 #include "gui/widgets/Sentences.h"
@@ -66,7 +67,7 @@ ConvertModelDialog::ConvertModelDialog(Dialogs& dialogs, QWidget* parent)
     : QDialog(parent), dialogs_(dialogs) {
     setObjectName("convertModelDialog");
     setWindowTitle(tr("Import or convert a model"));
-    resize(620, 460);
+    resize(900, 520);
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(10);
     grid->setVerticalSpacing(10);
@@ -77,14 +78,16 @@ ConvertModelDialog::ConvertModelDialog(Dialogs& dialogs, QWidget* parent)
     openIt_->setObjectName("openIt");
     openIt_->setChecked(true);
     grid->addWidget(openIt_, 2, 1);
+    placing_ = new PlacingFields("convert", this, PlacingFields::Asks::axesAndUnit);
+    placing_->setMinimumWidth(300);
     report_ = new QPlainTextEdit(this);
     report_->setObjectName("report");
     report_->setReadOnly(true);
     report_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
     report_->setPlaceholderText(
         tr("The codes of temperature and material, visible colours, levels of detail and switches "
-           "are kept; external references become part of the file. What was written is read back "
-           "and compared."));
+           "are kept; external references become part of the file. It is written in metres, with y "
+           "to the nose and z up. What was written is read back and compared."));
     bar_ = new QProgressBar(this);
     bar_->setRange(0, 0);
     bar_->setTextVisible(false);
@@ -104,7 +107,11 @@ ConvertModelDialog::ConvertModelDialog(Dialogs& dialogs, QWidget* parent)
     column->setContentsMargins(20, 18, 20, 14);
     column->setSpacing(12);
     column->addLayout(grid);
-    column->addWidget(report_, 1);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(16);
+    row->addWidget(report_, 3);
+    row->addWidget(placing_, 2);
+    column->addLayout(row, 1);
     column->addWidget(bar_);
     column->addWidget(elapsed_);
     column->addWidget(buttons);
@@ -114,7 +121,12 @@ ConvertModelDialog::ConvertModelDialog(Dialogs& dialogs, QWidget* parent)
         if (work_->done)
             onDone();
     });
-    connect(input_, &QLineEdit::textChanged, this, &ConvertModelDialog::refresh);
+    connect(input_, &QLineEdit::textChanged, this, [this](const QString& text) {
+        const QString file = text.trimmed();
+        placing_->setFile(QFileInfo(file).isFile() ? file.toStdString() : std::string());
+        refresh();
+    });
+    connect(placing_, &PlacingFields::changed, this, &ConvertModelDialog::refresh);
     connect(output_, &QLineEdit::textChanged, this, &ConvertModelDialog::refresh);
     refresh();
 }
@@ -174,17 +186,17 @@ void ConvertModelDialog::start() {
     written_.clear();
     report_->clear();
     work_ = std::make_shared<Work>();
-    backgroundPool().start(
-        [work = work_, in = input_->text().trimmed().toStdString(), to = out.toStdString()] {
-            try {
-                work->report = irsg::convertModel(in, to, work->stop.get_token());
-            } catch (const irsg::InputError& error) {
-                work->problems = sentencesOf(error);
-            } catch (const std::exception& error) {
-                work->problems << tr("Internal error: %1").arg(error.what());
-            }
-            work->done = true;
-        });
+    backgroundPool().start([work = work_, in = input_->text().trimmed().toStdString(),
+                            to = out.toStdString(), placing = placing_->placing()] {
+        try {
+            work->report = irsg::convertModel(in, to, work->stop.get_token(), {.placing = placing});
+        } catch (const irsg::InputError& error) {
+            work->problems = sentencesOf(error);
+        } catch (const std::exception& error) {
+            work->problems << tr("Internal error: %1").arg(error.what());
+        }
+        work->done = true;
+    });
     clock_.start();
     watch_.start();
     tellElapsed();
@@ -226,10 +238,10 @@ void ConvertModelDialog::refresh() {
     bar_->setVisible(isRunning());
     elapsed_->setVisible(isRunning());
     close_->setText(isRunning() ? tr("&Cancel") : tr("&Close"));
-    for (auto* widget : std::initializer_list<QWidget*>{input_, output_})
+    for (auto* widget : std::initializer_list<QWidget*>{input_, output_, placing_})
         widget->setEnabled(!isRunning());
     convert_->setEnabled(!isRunning() && QFileInfo(input_->text().trimmed()).isFile() &&
-                         !output_->text().trimmed().isEmpty());
+                         !output_->text().trimmed().isEmpty() && placing_->isRight());
 }
 
 QString ConvertModelDialog::fileToOpen() const {

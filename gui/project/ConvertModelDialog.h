@@ -18,9 +18,11 @@ class QPushButton;
 
 namespace smat::gui {
 
+class PlacingFields;
+
 /// Writes a model in another form and keeps its codes, through irsg::convertModel in the
-/// background, and says what was read and written. A cancel answers at once, and so does closing:
-/// nothing is written then.
+/// background, in metres and the axes of the program, and says what was read and written. A cancel
+/// answers at once, and so does closing: nothing is written then.
 class ConvertModelDialog : public QDialog {
     Q_OBJECT
 
@@ -47,6 +49,7 @@ class ConvertModelDialog : public QDialog {
     QLineEdit* input_ = nullptr;
     QLineEdit* output_ = nullptr;
     QCheckBox* openIt_ = nullptr;
+    PlacingFields* placing_ = nullptr;
     QPlainTextEdit* report_ = nullptr;
     QProgressBar* bar_ = nullptr;
     QLabel* elapsed_ = nullptr;

@@ -47,7 +47,8 @@ void setAxis(QComboBox* box, const std::optional<irsg::ModelAxis>& axis) {
 
 } // namespace
 
-PlacingFields::PlacingFields(const QString& prefix, QWidget* parent) : QWidget(parent) {
+PlacingFields::PlacingFields(const QString& prefix, QWidget* parent, Asks asks)
+    : QWidget(parent), asksForOrigin_(asks == Asks::all) {
     up_ = axisBox(prefix + ".up");
     nose_ = axisBox(prefix + ".nose");
     unit_ = new QComboBox;
@@ -104,6 +105,7 @@ PlacingFields::PlacingFields(const QString& prefix, QWidget* parent) : QWidget(p
     form->addRow(unitLabel, unitRow);
     form->addRow(tr("Or&igin is"), origin_);
     form->addRow({}, pointRow_);
+    form->setRowVisible(origin_, asksForOrigin_);
     form->addRow({}, guess_);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -173,7 +175,7 @@ irsg::ModelPlacing PlacingFields::placing() const {
     if (unit > 0)
         placing.unit_m =
             unit <= std::size(modelUnits) ? modelUnits[unit - 1].unit_m : otherUnit_->value();
-    if (origin_->currentIndex() > 0) {
+    if (asksForOrigin_ && origin_->currentIndex() > 0) {
         placing.origin = irsg::ModelOrigin{static_cast<Origin>(origin_->currentIndex() - 1), {}};
         if (placing.origin->at == Origin::point)
             placing.origin->point = {point_[0]->value(), point_[1]->value(), point_[2]->value()};
@@ -219,7 +221,7 @@ void PlacingFields::refresh() {
     if (!isMade_)
         return;
     const bool isPoint = origin_->currentIndex() == static_cast<int>(Origin::point) + 1;
-    pointRow_->setVisible(isPoint);
+    pointRow_->setVisible(isPoint && asksForOrigin_);
     otherUnit_->setVisible(unit_->currentIndex() == unit_->count() - 1);
     if (shape_) {
         try {

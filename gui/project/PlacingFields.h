@@ -26,8 +26,10 @@ class PlacingFields : public QWidget {
     Q_OBJECT
 
   public:
+    enum class Asks { all, axesAndUnit }; ///< the latter: not for the origin
+
     /// Fields are named `PREFIX.up` and so on.
-    explicit PlacingFields(const QString& prefix, QWidget* parent = nullptr);
+    explicit PlacingFields(const QString& prefix, QWidget* parent = nullptr, Asks asks = Asks::all);
 
     /// Reads the file beside the window; one that cannot be read says so in place of the picture.
     void setFile(const std::filesystem::path& file);
@@ -50,6 +52,7 @@ class PlacingFields : public QWidget {
     void refresh();
     irsg::BoundingBox placedBox(const irsg::ModelPlacing& completed) const;
     bool isMade_ = false;
+    bool asksForOrigin_;
 
     std::filesystem::path file_;
     std::shared_ptr<const irsg::ModelShape> shape_;

@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
@@ -14,6 +15,8 @@
 #include "gui/project/ConvertModelDialog.h"
 #include "gui/project/NewProjectDialog.h"
 #include "gui/widgets/BackgroundPool.h"
+#include "gui/widgets/NumberField.h"
+#include "irsg/geometry/model/ModelPlacing.h"
 #include "smatcore/project/ProjectFile.h"
 #include "smatcore/support/TextFile.h"
 #include "tests/gui/WindowFixture.h"
@@ -311,6 +314,46 @@ TEST_F(ProjectFilesTest, ConvertsAModelAndSaysWhatItDid) {
     ASSERT_TRUE(workbench.hasProject());
     EXPECT_EQ(workbench.project().models.front().file, out);
     EXPECT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
+}
+
+TEST_F(ProjectFilesTest, ConvertsAModelOfAnotherUnitAndOtherAxes) {
+    const auto out = folder / "ship.osgb";
+    const auto extentOf = [](const std::filesystem::path& model) {
+        const irsg::ModelShape shape = irsg::shapeOf(model);
+        irsg::BoundingBox box = irsg::BoundingBox::nowhere();
+        for (const irsg::Float3& corner : shape.corners) {
+            box.include(irsg::toVec3(corner));
+        }
+        return box.max - box.min;
+    };
+    onDialog = [&](QDialog& dialog) {
+        auto* form = dynamic_cast<ConvertModelDialog*>(&dialog);
+        if (form == nullptr) {
+            return;
+        }
+        form->setInput(QString::fromStdString(sample("ship.flt").string()));
+        form->findChild<QLineEdit*>("output")->setText(QString::fromStdString(out.string()));
+        EXPECT_FALSE(form->findChild<QComboBox*>("convert.origin")->isVisible());
+        auto* convert = form->findChild<QPushButton*>("convert");
+        auto* up = form->findChild<QComboBox*>("convert.up");
+        auto* nose = form->findChild<QComboBox*>("convert.nose");
+        up->setCurrentIndex(up->findText("+Y of the file"));
+        nose->setCurrentIndex(nose->findText("+Y of the file"));
+        EXPECT_FALSE(convert->isEnabled()) << "up and nose along one axis";
+        nose->setCurrentIndex(nose->findText("+X of the file"));
+        auto* unit = form->findChild<QComboBox*>("convert.unit");
+        unit->setCurrentIndex(unit->count() - 1);
+        form->findChild<NumberField*>("convert.unit_m")->setValue(0.5);
+        EXPECT_TRUE(convert->isEnabled());
+        convert->click();
+        EXPECT_TRUE(test::waitUntil([&] { return !form->isRunning(); }));
+        EXPECT_TRUE(form->findChild<QPlainTextEdit*>("report")->toPlainText().contains("polygons"));
+    };
+    trigger("convertModel");
+    const irsg::Vec3 before = extentOf(sample("ship.flt")), after = extentOf(out);
+    EXPECT_NEAR(after.y, 0.5 * before.x, 1e-4);
+    EXPECT_NEAR(after.z, 0.5 * before.y, 1e-4);
+    EXPECT_NEAR(after.x, 0.5 * before.z, 1e-4);
 }
 
 TEST_F(ProjectFilesTest, AConversionThatFailsSaysWhyAndOpensNothing) {

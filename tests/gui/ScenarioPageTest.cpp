@@ -278,16 +278,16 @@ TEST_F(ScenarioPageTest, AFilmOfTheFramesIsThatOfSmatBatch) {
     std::filesystem::permissions(folder / "bin/ffmpeg", std::filesystem::perms::owner_all);
     qputenv("PATH", QByteArray::fromStdString((folder / "bin").string()) + ":" + path);
     const auto* words = page->findChild<QLabel*>("framesWords");
-    const auto exported = [&](const char* name, const char* file) {
+    const auto exported = [&](const char* name, const char* file, const char* wrote) {
         chosen = QString::fromStdString((folder / file).string());
         offered(name)->trigger();
         EXPECT_FALSE(film->isEnabled());
         EXPECT_TRUE(test::waitUntil([&] { return film->isEnabled(); }));
-        EXPECT_TRUE(words->text().contains("Wrote the film")) << words->text().toStdString();
+        EXPECT_TRUE(words->text().contains(wrote)) << words->text().toStdString();
     };
-    exported("filmMp4", "own"); // the extension is added
+    exported("filmMp4", "own", "Wrote the film"); // the extension is added
     page->showSensor(1);
-    exported("filmPng", "own.png");
+    exported("filmPng", "own.png", "Wrote the pictures");
     EXPECT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
     test::keepScreenshot(*window, "scenario-film");
     const auto ran = smat::test::smatBatch(

@@ -80,8 +80,9 @@ TEST(SmoothShares, SumWhatShinesAcrossTheBordersOfDetails) {
     for (const Cut& cut : cuts()) {
         const double rise_px = 1.7 * cut.detail_px;
         const auto radiance = [&](double x, double y) {
-            if (cut.isUpright)
+            if (cut.isUpright) {
                 std::swap(x, y);
+            }
             const double beyond_px = std::max(x - cut.along() - rise_px, 0.0);
             const double risen = std::clamp((x - cut.along()) / rise_px, 0.0, 1.0);
             return std::pow(std::sin(0.5 * std::numbers::pi * risen), 2) *

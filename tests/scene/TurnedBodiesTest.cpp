@@ -28,19 +28,25 @@ double skyFactor(double cosine) {
     return 0.5 * (1.0 + cosine);
 }
 
-std::shared_ptr<const BodyLight> madeBody(const PieceUses& uses,
-                                          const std::shared_ptr<const RayMesh>& rays) {
+/// `parts`: how many times fewer cells, nodes and senders it has than a body as a rule.
+std::shared_ptr<const BodyLight>
+madeBody(const PieceUses& uses, const std::shared_ptr<const RayMesh>& rays, std::size_t parts = 1) {
     ExchangeResolution resolution;
     resolution.isAlone = true;
+    resolution.fewCells /= parts;
+    resolution.fewNodes /= parts;
+    resolution.fewSenders /= parts;
     return std::make_shared<const BodyLight>(
         std::make_shared<const ExchangeNodes>(
             std::make_shared<const ExchangeMesh>(rays, uses, resolution), resolution),
         uses, 0.01);
 }
 
+constexpr std::size_t fewer = 10; ///< parts, where light is solved to its end
+
 /// A ball between two discs, over a pane.
 struct SampleBody {
-    SampleBody() {
+    explicit SampleBody(std::size_t parts = 1) {
         Triangles all = disc(1.0, 0.0, {1, 1});
         for (const Triangles& more : {moved(sphereOfEqualArea(0.3, 12, {2, 2}), {0.2, 0.1, 0.6}),
                                       disc(0.5, 1.2, {3, 3}, false), disc(0.25, 0.2, {4, 4})}) {
@@ -54,7 +60,7 @@ struct SampleBody {
             uses.set(i, {true, code == 4, false, 0, code == 4 ? code + 1 : 0});
             materials.push_back(code);
         }
-        light = madeBody(uses, rays);
+        light = madeBody(uses, rays, parts);
     }
     SunShadows::Caster at(int entity, const Vec3& where_m, double yaw_rad, int firstRow) const {
         SunShadows::Caster caster{entity, rays, Pose{}, uses, {}, materials};
@@ -263,7 +269,7 @@ TEST_F(TurnedBodies, FarFromEachOtherAreAsEachAlone) {
 }
 
 TEST_F(TurnedBodies, FarFromEachOtherAreSolvedAsEachAlone) {
-    const SampleBody body, other;
+    const SampleBody body(fewer), other(fewer);
     const auto rows = static_cast<int>(body.materials.size());
     const auto columnsOf = [&](int firstRow) {
         std::vector<LightColumn> columns;
@@ -304,7 +310,7 @@ TEST_F(TurnedBodies, FarFromEachOtherAreSolvedAsEachAlone) {
 }
 
 TEST_F(TurnedBodies, FarFromEachOtherArePutTogetherOfEachAlone) {
-    const SampleBody body, other;
+    const SampleBody body(fewer), other(fewer);
     const auto rows = static_cast<int>(body.materials.size());
     const SunShadows::Caster near = body.at(0, {0, 0, 500}, 0.7, 0);
     const SunShadows::Caster far = other.at(1, {400, 300, 700}, 1.9, rows);
