@@ -42,7 +42,7 @@ madeBody(const PieceUses& uses, const std::shared_ptr<const RayMesh>& rays, std:
         uses, 0.01);
 }
 
-constexpr std::size_t fewer = 40; ///< parts, where light is solved to its end
+constexpr std::size_t fewer = 10; ///< parts, where light is solved to its end
 
 /// A ball between two discs, over a pane.
 struct SampleBody {
