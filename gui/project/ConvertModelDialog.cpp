@@ -109,8 +109,8 @@ ConvertModelDialog::ConvertModelDialog(Dialogs& dialogs, QWidget* parent)
     column->addLayout(grid);
     auto* row = new QHBoxLayout;
     row->setSpacing(16);
-    row->addWidget(report_, 3);
     row->addWidget(placing_, 2);
+    row->addWidget(report_, 3);
     column->addLayout(row, 1);
     column->addWidget(bar_);
     column->addWidget(elapsed_);
