@@ -212,6 +212,7 @@ std::vector<fs::path> filmFiles(const fs::path& file, const FilmStrip& strip) {
     if (file.extension() != ".png")
         return {file};
     std::vector<fs::path> pictures;
+    pictures.reserve(strip.frames.size());
     for (const FilmStrip::Frame& frame : strip.frames)
         pictures.push_back(file.parent_path() /
                            fmt::format("{}-{:06}.png", file.stem().string(), frame.number));

@@ -104,6 +104,7 @@ std::filesystem::path FrameFiles::frameFile(std::size_t sensor, std::size_t numb
 std::vector<std::filesystem::path> FrameFiles::framesOf(std::size_t sensor, std::size_t number,
                                                         std::size_t band) const {
     std::vector<std::filesystem::path> files;
+    files.reserve(extensions_.size());
     for (const std::string& extension : extensions_)
         files.push_back(frameFile(sensor, number, extension, band));
     return files;

@@ -253,7 +253,7 @@ TEST(SmatBatchSimulate, ADryRunListsTheFilesThatTheRunWritesAndNoOther) {
                 {"three forms and pictures",
                  {"--format", "exr", "--format", "csv", "--format", "png", "--film", "film.png"},
                  sensors,
-                 3 * (5 + 6),
+                 33,
                  3},
                 {"one film", {"--sensor", "south", "--film", "film.png"}, sensors, 5, 1},
                 {"a sensor that sees nothing", {"--film", "film.png"}, never, 5 + 6, 3},

@@ -88,6 +88,7 @@ TEST(TableAxes, SummariesNameAllAxesOfTheirExtremes) {
                           {0, 30, 900, 3, 1}});
     summarise(data);
     std::vector<std::string> labels;
+    labels.reserve(data.summary.size());
     for (const SummaryItem& item : data.summary) {
         labels.push_back(item.label);
     }

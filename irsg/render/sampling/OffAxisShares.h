@@ -57,7 +57,7 @@ class OffAxisShares {
     /// The middle of the cell of a sample, or of a pair of them, along one axis of the frame.
     double place_px(std::int64_t firstBlock, int number, int samplesOfBlock, bool isOfGroup) const {
         const int block = number / samplesOfBlock, within = number % samplesOfBlock;
-        const double middle = isOfGroup ? within / 2 * 2 + 1.0 : within + 0.5;
+        const double middle = isOfGroup ? within - within % 2 + 1.0 : within + 0.5;
         return std::ldexp(static_cast<double>(firstBlock + block) + middle / samplesOfBlock,
                           -tile_.level);
     }
