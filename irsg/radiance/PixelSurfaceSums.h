@@ -38,7 +38,6 @@ class PixelSurfaceSums {
     void goTo(int x, int y, double weight) {
         endGas();
         part_ = weight * share_;
-        ofSample_ = 1.0;
         cell_ = static_cast<std::size_t>(y - pixels_.y) * static_cast<std::size_t>(pixels_.width) +
                 static_cast<std::size_t>(x - pixels_.x);
     }

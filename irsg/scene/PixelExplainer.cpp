@@ -27,15 +27,14 @@ std::vector<SampleRun> runsOf(const SampleTile& tile, const PixelGrid& grid, int
     const int last = static_cast<int>(blockOf(y + 1)) * tile.samplesDown;
     std::vector<SampleRun> runs;
     const OffAxisShares shares(tile, grid);
-    shares.forEachRun(first, last,
-                      [&](std::size_t sample, int count, int column, int, double weight) {
-                          if (column != x)
-                              return;
-                          const std::size_t drawn = sample - tile.firstSample;
-                          const int fromBelow = static_cast<int>(drawn / tile.stride());
-                          runs.push_back({tile.height() - 1 - fromBelow,
-                                          static_cast<int>(drawn % tile.stride()), count, weight});
-                      });
+    shares.forEachRun(
+        first, last, [&](std::size_t sample, int count, int column, int, double weight) {
+            if (column != x)
+                return;
+            runs.push_back({tile.rowOf(sample),
+                            static_cast<int>((sample - tile.firstSample) % tile.stride()), count,
+                            weight});
+        });
     return runs;
 }
 

@@ -96,39 +96,37 @@ std::vector<RenderReport> RenderReporter::reportsOf(const Frame& frame,
                                                     const ErrorsByOutput& errors,
                                                     int layersLeftOver) {
     const std::vector<double> ranges_m = frame.evaluation().ranges_m();
-    {
-        std::vector<RenderReport> all(sums.size());
-        for (std::size_t band = 0; band < sums.size(); ++band) {
-            RenderReport& report = all[band];
-            report.objects = std::move(sums[band].objects);
-            report.all = std::move(sums[band].all);
-            report.all.name = "all";
-            report.all.range_m = ranges_m.empty() ? 0.0 : ranges_m.front();
-            for (std::size_t e = 0; e < report.objects.size(); ++e) {
-                report.objects[e].name = frame.scene().entities[e].name;
-                report.objects[e].range_m = ranges_m[e];
-                report.objects[e].hiddenByHorizon =
-                    hiddenByHorizon(frame.scene().entities[e], frame.evaluation().geometry[e]);
-                report.objects[e].atmosphereError = frame.evaluation().geometry[e].atmosphereError;
-                report.all.atmosphereError = std::max(
-                    report.all.atmosphereError, frame.evaluation().geometry[e].atmosphereError);
-            }
-            for (std::size_t e = 0; frame.request.withErrors && e < report.objects.size(); ++e)
-                report.objects[e].errors = errors[band][e];
-            if (frame.request.withErrors)
-                report.all.errors = errors[band].back();
-            report.layersLeftOver = layersLeftOver;
-            for (const AlongRange& one : frame.plan.alongRange)
-                report.alongRangeReach_m = std::max(report.alongRangeReach_m, one.reach_m);
-            fill(frame, band, report);
-            report.totalIrradiance_W_m2 = totalIrradiance_W_m2(
-                frame, frame.backgrounds.byOutput[band], report.all.irradiance_W_m2);
+    std::vector<RenderReport> all(sums.size());
+    for (std::size_t band = 0; band < sums.size(); ++band) {
+        RenderReport& report = all[band];
+        report.objects = std::move(sums[band].objects);
+        report.all = std::move(sums[band].all);
+        report.all.name = "all";
+        report.all.range_m = ranges_m.empty() ? 0.0 : ranges_m.front();
+        for (std::size_t e = 0; e < report.objects.size(); ++e) {
+            report.objects[e].name = frame.scene().entities[e].name;
+            report.objects[e].range_m = ranges_m[e];
+            report.objects[e].hiddenByHorizon =
+                hiddenByHorizon(frame.scene().entities[e], frame.evaluation().geometry[e]);
+            report.objects[e].atmosphereError = frame.evaluation().geometry[e].atmosphereError;
+            report.all.atmosphereError = std::max(report.all.atmosphereError,
+                                                  frame.evaluation().geometry[e].atmosphereError);
         }
-        if (frame.settings().usesPublishedTiles())
-            for (RenderReport& report : all)
-                report.warnings.push_back(publishedTilesInSums);
-        return all;
+        for (std::size_t e = 0; frame.request.withErrors && e < report.objects.size(); ++e)
+            report.objects[e].errors = errors[band][e];
+        if (frame.request.withErrors)
+            report.all.errors = errors[band].back();
+        report.layersLeftOver = layersLeftOver;
+        for (const AlongRange& one : frame.plan.alongRange)
+            report.alongRangeReach_m = std::max(report.alongRangeReach_m, one.reach_m);
+        fill(frame, band, report);
+        report.totalIrradiance_W_m2 = totalIrradiance_W_m2(frame, frame.backgrounds.byOutput[band],
+                                                           report.all.irradiance_W_m2);
     }
+    if (frame.settings().usesPublishedTiles())
+        for (RenderReport& report : all)
+            report.warnings.push_back(publishedTilesInSums);
+    return all;
 }
 
 double RenderReporter::projectedSolidAngle_sr(const Sensor& sensor) {

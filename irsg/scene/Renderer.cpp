@@ -195,8 +195,7 @@ std::vector<RenderReport> Renderer::Impl::reports(const Frame& frame, const View
 }
 
 std::vector<RenderReport> Renderer::Impl::withHaze(const Frame& frame,
-                                                   std::vector<RenderReport> direct) {
-    std::vector<RenderReport> all = std::move(direct);
+                                                   std::vector<RenderReport> all) {
     // Behind the bands their sources, which no droplets are before.
     for (std::size_t k = 0; frame.settings().scattering && k < frame.request.bands.size(); ++k)
         addHaze(hazeGains(frame.scene(), frame.request.view, frame.request.bands[k],

@@ -63,7 +63,7 @@ struct Renderer::Impl {
     }
     /// With the haze of a picture in each band, where there is scattering.
     std::vector<RenderReport> reports(const Frame& frame, const ViewGeometry& factors);
-    std::vector<RenderReport> withHaze(const Frame& frame, std::vector<RenderReport> direct);
+    std::vector<RenderReport> withHaze(const Frame& frame, std::vector<RenderReport> all);
     /// What haze makes of the sums over the objects of a view in a band, as in a picture.
     HazeGains hazeGains(const Scene& scene, const SensorView& view, const Band& band,
                         double pathDepth);

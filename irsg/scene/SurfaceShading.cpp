@@ -15,7 +15,6 @@ void SurfaceShading::apply(const SheetScene& sheet, const RenderSettings& settin
     if (lobes)
         lobes->apply(sheet, between.exchange ? shadows.get() : nullptr, between.exchange.get(),
                      aims.get(), samples);
-    samples.gasShares.clear();
     if (hasGas)
         shareOutGas(sheet.sheet, samples);
 }

@@ -27,11 +27,8 @@ class OffAxisShares {
     /// Of a sample of the drawing, which lies in a pixel; `isOfGroup`: of the two by two samples
     /// that it stands for.
     double of(std::size_t sample, int x, int y, bool isOfGroup = false) const {
-        const std::size_t drawn = sample - tile_.firstSample;
-        const std::size_t fromBottom = drawn / tile_.stride();
-        const int row = tile_.height() - 1 - static_cast<int>(fromBottom);
-        const int column =
-            static_cast<int>(drawn - fromBottom * tile_.stride()) - tile_.firstColumn(row);
+        const int row = tile_.rowOf(sample);
+        const int column = static_cast<int>(sample - tile_.firstSampleOf(row));
         return grid_.shareAt(
             x, y, place_px(tile_.blockX, column, tile_.samplesAcross, isOfGroup) - x - 0.5,
             place_px(tile_.blockY, row, tile_.samplesDown, isOfGroup) - y - 0.5);

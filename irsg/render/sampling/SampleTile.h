@@ -105,6 +105,15 @@ struct SampleTile {
     bool isWhole() const { return leftOut.empty() && !only; }
     /// Weights of the samples of a row, counted from the top, block by block.
     std::vector<double> weightsOf(int row) const;
+    /// The sample of a row, counted from the top, that stands for its first cell.
+    std::size_t firstSampleOf(int row) const {
+        return firstSample + static_cast<std::size_t>(height() - 1 - row) * stride() +
+               static_cast<std::size_t>(firstColumn(row));
+    }
+    /// The row, counted from the top, of a sample of the drawing.
+    int rowOf(std::size_t sample) const {
+        return height() - 1 - static_cast<int>((sample - firstSample) / stride());
+    }
     /// Where the first sample of a row, counted from the top, stands in that row of its drawing.
     int firstColumn(int row) const { return static_cast<int>(std::ceil(shift(row) - 0.5)); }
 
@@ -117,8 +126,7 @@ void SampleTile::forEachRun(int firstRow, int lastRow, const Visit& visit) const
     for (int row = firstRow; row < lastRow; ++row) {
         const std::vector<double> weights = isWhole() ? std::vector<double>{} : weightsOf(row);
         const int y = static_cast<int>((blockY + row / samplesDown) >> level);
-        std::size_t first = firstSample + static_cast<std::size_t>(height() - 1 - row) * stride() +
-                            static_cast<std::size_t>(firstColumn(row));
+        std::size_t first = firstSampleOf(row);
         for (int block = 0; block < blocksWide;
              ++block, first += static_cast<std::size_t>(samplesAcross)) {
             const int x = static_cast<int>((blockX + block) >> level);

@@ -117,7 +117,7 @@ class RowOfBlocks {
 
     void writeTo(std::vector<float>& shares) {
         for (int row = 0; row < tile_.samplesDown; ++row) {
-            const std::size_t first = firstSampleOf(firstRow_ + row);
+            const std::size_t first = tile_.firstSampleOf(firstRow_ + row);
             for (int cell = 0; cell < cells_; ++cell)
                 shares[first + static_cast<std::size_t>(cell)] = static_cast<float>(at(cell, row));
         }
@@ -125,7 +125,7 @@ class RowOfBlocks {
     /// What one counts that stands for a group, whose shares are written.
     void join(GeometrySamples& samples) const {
         for (int row = 0; row < tile_.samplesDown; ++row) {
-            const std::size_t first = firstSampleOf(firstRow_ + row);
+            const std::size_t first = tile_.firstSampleOf(firstRow_ + row);
             for (std::size_t i = first; i < first + static_cast<std::size_t>(cells_); ++i) {
                 if (!samples.standsForGroup(i))
                     continue;
@@ -143,11 +143,6 @@ class RowOfBlocks {
         const int ofTile = firstRow_ + row;
         return tile_.placeOf(tile_.firstColumn(ofTile) + cell, ofTile);
     }
-    std::size_t firstSampleOf(int row) const {
-        return tile_.firstSample +
-               static_cast<std::size_t>(tile_.height() - 1 - row) * tile_.stride() +
-               static_cast<std::size_t>(tile_.firstColumn(row));
-    }
     std::size_t indexOf(int cell, int row) const {
         return static_cast<std::size_t>(row) * static_cast<std::size_t>(cells_) +
                static_cast<std::size_t>(cell);
@@ -156,7 +151,7 @@ class RowOfBlocks {
     /// Of a member of a group of which one is in a row of the blocks.
     double shareIn(std::size_t sample, int near) const {
         for (int row = std::max(near - 1, 0); row < std::min(near + 2, tile_.samplesDown); ++row) {
-            const std::size_t first = firstSampleOf(firstRow_ + row);
+            const std::size_t first = tile_.firstSampleOf(firstRow_ + row);
             if (sample >= first && sample < first + static_cast<std::size_t>(cells_))
                 return shares_[indexOf(static_cast<int>(sample - first), row)];
         }
