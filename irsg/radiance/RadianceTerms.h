@@ -64,6 +64,9 @@ struct RadianceTerm {
     bool passesAtmosphere = false;
     std::function<bool(const RenderSettings&)> isOn;
     LightOrigin origin = LightOrigin::none;
+
+    /// Of the path before the surface, and not of what falls onto it.
+    bool isAlongPath() const { return light && geometryOf(*light) == QueryGeometry::path; }
 };
 
 /// The one list of what a surface can send (report eqs. 1 to 3, corrected as docs/physics.md says).

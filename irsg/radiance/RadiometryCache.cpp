@@ -6,17 +6,6 @@ namespace irsg {
 
 namespace {
 
-/// The same nodes and the same air on the way to the objects: of one sampled scene, or of two that
-/// lie behind paths of equal air.
-bool areAlike(const SampledScene& a, const SampledScene& b) {
-    return &a == &b || (a.slices_m == b.slices_m &&
-                        std::ranges::equal(
-                            a.bands, b.bands, [](const SampledBand& one, const SampledBand& two) {
-                                return one.sampling == two.sampling && one.outputs == two.outputs &&
-                                       one.air.objects == two.air.objects;
-                            }));
-}
-
 std::vector<double> aspectsOf(const std::vector<ObjectGeometry>& geometry) {
     std::vector<double> aspects_rad;
     for (const ObjectGeometry& object : geometry)
@@ -35,6 +24,14 @@ EvaluatedScene::EvaluatedScene(const RadianceTerms& terms, const std::vector<Ent
       planck(radiometry.wavelengths_um()),
       aspects_rad_(aspectsOf(geometry)) {}
 
+EvaluatedScene::EvaluatedScene(const RadianceTerms& terms, const std::vector<Entity>& entities,
+                               const std::vector<ObjectGeometry>& geometry,
+                               const std::shared_ptr<const SampledScene>& sampled,
+                               const OccluderStacks& occluderStacks)
+    : EvaluatedScene(terms, entities, geometry, sampled->bands, occluderStacks) {
+    along_ = sampled;
+}
+
 void EvaluatedScene::turnTo(const std::vector<Entity>& entities,
                             const std::vector<ObjectGeometry>& geometry) {
     std::vector<double> aspects_rad = aspectsOf(geometry);
@@ -45,6 +42,16 @@ void EvaluatedScene::turnTo(const std::vector<Entity>& entities,
     if (light && !turned.empty())
         light->turn();
     aspects_rad_ = std::move(aspects_rad);
+}
+
+void EvaluatedScene::seeAlong(const std::shared_ptr<const SampledScene>& sampled) {
+    if (sampled == along_)
+        return;
+    if (!along_ || !areAlike(*sampled, *along_)) {
+        radiometry.seeAlong(sampled->bands);
+        radiances.seeAlong();
+    }
+    along_ = sampled;
 }
 
 std::shared_ptr<EvaluatedScene>
@@ -59,16 +66,17 @@ RadiometryCache::of(const RadianceTerms& terms, const std::vector<Entity>& entit
     }
     CacheEntry* const known = cache_.find([&](const CacheEntry& kept) {
         return kept.entities == key.entities && kept.altitudes_m == key.altitudes_m &&
-               areAlike(*kept.sampled, *sampled);
+               areAlikeButForPathRadiance(terms, *kept.sampled, *sampled);
     });
     if (known != nullptr) {
         known->sampled = sampled; // which is found without a look at its values from now on
         known->scene->turnTo(entities, geometry);
+        known->scene->seeAlong(sampled);
         return known->scene;
     }
     key.sampled = sampled;
     key.scene =
-        std::make_shared<EvaluatedScene>(terms, entities, geometry, sampled->bands, occluderStacks);
+        std::make_shared<EvaluatedScene>(terms, entities, geometry, sampled, occluderStacks);
     const std::shared_ptr<EvaluatedScene> scene = cache_.add(std::move(key)).scene;
     forget();
     return scene;

@@ -18,9 +18,15 @@ struct EvaluatedScene {
     EvaluatedScene(const RadianceTerms& terms, const std::vector<Entity>& entities,
                    const std::vector<ObjectGeometry>& geometry,
                    const std::vector<SampledBand>& bands, const OccluderStacks& occluderStacks);
+    EvaluatedScene(const RadianceTerms& terms, const std::vector<Entity>& entities,
+                   const std::vector<ObjectGeometry>& geometry,
+                   const std::shared_ptr<const SampledScene>& sampled,
+                   const OccluderStacks& occluderStacks);
 
     /// Makes it that of other aspects.
     void turnTo(const std::vector<Entity>& entities, const std::vector<ObjectGeometry>& geometry);
+    /// Makes it that of a sampled scene which is alike but for path radiance.
+    void seeAlong(const std::shared_ptr<const SampledScene>& sampled);
 
     SceneRadiometry radiometry;
     SurfaceRadianceTable radiances;
@@ -29,13 +35,14 @@ struct EvaluatedScene {
     std::shared_ptr<SceneLight> light;
 
   private:
-    std::vector<double> aspects_rad_; // by entity
+    std::vector<double> aspects_rad_;           // by entity
+    std::shared_ptr<const SampledScene> along_; // that path radiance is of; null where not known
 };
 
 /// Evaluated scenes by all that their spectra depend on: samplings, air, databases, states, scales.
 /// Cases of a sweep that differ in geometry alone share one; where factors of measured spectra
-/// depend on the aspect these become others, so that whoever asked for a scene before turns it
-/// back.
+/// depend on the aspect, or path radiance on the azimuth from the sun, these become others, so that
+/// whoever asked for a scene before turns it back.
 class RadiometryCache {
   public:
     /// `geometry` has the slices of `sampled`.

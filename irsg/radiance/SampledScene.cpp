@@ -1,6 +1,7 @@
 #include "irsg/radiance/SampledScene.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "irsg/atmosphere/NearestRun.h"
 #include "irsg/core/AppendUnique.h"
@@ -34,6 +35,41 @@ const SampledBand& SampledScene::ofOutput(std::size_t output) const {
         output -= band.outputs.size();
     }
     throw LogicError("a scene was asked for an output that it has not");
+}
+
+namespace {
+
+template <typename Compare>
+bool areAlike(const SampledScene& a, const SampledScene& b, const Compare& compareAir) {
+    return &a == &b ||
+           (a.slices_m == b.slices_m &&
+            std::ranges::equal(
+                a.bands, b.bands, [&](const SampledBand& one, const SampledBand& two) {
+                    return one.sampling == two.sampling && one.outputs == two.outputs &&
+                           one.isSource == two.isSource && one.sliceSteps == two.sliceSteps &&
+                           std::ranges::equal(one.air.objects, two.air.objects, compareAir);
+                }));
+}
+
+} // namespace
+
+bool areAlike(const SampledScene& a, const SampledScene& b) {
+    return areAlike(a, b, std::equal_to<ObjectAtmosphere>());
+}
+
+bool areAlikeButForPathRadiance(const RadianceTerms& terms, const SampledScene& a,
+                                const SampledScene& b) {
+    static const auto any = std::make_shared<const std::vector<double>>();
+    const auto withAny = [&](ObjectAtmosphere air) {
+        for (AtmosphereSamples& node : air.nodes)
+            for (std::size_t k = 0; k < node.light.size(); ++k)
+                if (terms.terms[k].isAlongPath() && node.light[k])
+                    node.light[k] = any;
+        return air;
+    };
+    return areAlike(a, b, [&](const ObjectAtmosphere& one, const ObjectAtmosphere& two) {
+        return withAny(one) == withAny(two);
+    });
 }
 
 SampledScenes::Key SampledScenes::keyOf(const AtmosphericQueryCache& answers,

@@ -27,6 +27,12 @@ struct SampledScene {
     const SampledBand& ofOutput(std::size_t output) const;
 };
 
+/// The same nodes, slices and air on the way to the objects, of one sampled scene or of two; the
+/// second but for what the air itself sends along the way, as about the sun.
+bool areAlike(const SampledScene& a, const SampledScene& b);
+bool areAlikeButForPathRadiance(const RadianceTerms& terms, const SampledScene& a,
+                                const SampledScene& b);
+
 /// Sampled scenes by what they follow from: few numbers, so that cases of a sweep that share their
 /// paths find theirs without a look at a spectrum. Aspect and azimuth count only where the air
 /// answers by them.

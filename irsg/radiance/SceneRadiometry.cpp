@@ -197,6 +197,19 @@ void SceneRadiometry::joinAtmosphere(const std::vector<SampledBand>& bands) {
     }
 }
 
+void SceneRadiometry::seeAlong(const std::vector<SampledBand>& bands) {
+    warnings_.clear();
+    for (const SampledBand& band : bands)
+        appendUnique(warnings_, band.air.warnings);
+    for (std::size_t e = 0; e < air_.size(); ++e)
+        for (std::size_t node = 0; node < air_[e].size(); ++node)
+            for (std::size_t k = 0; k < terms_->terms.size(); ++k)
+                if (terms_->terms[k].isAlongPath())
+                    air_[e][node].light[k] = joined(bands, [&](const SampledBand& band) {
+                        return band.air.objects[e].nodes[node].light[k];
+                    });
+}
+
 SliceBetween SceneRadiometry::rowsAbout(int row, std::size_t output) const {
     const int drawn = rows_.renderedOf(row);
     const int first = rows_.first(drawn);

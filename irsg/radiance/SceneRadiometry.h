@@ -32,6 +32,10 @@ class SceneRadiometry {
     std::vector<int> turn(const std::vector<Entity>& entities,
                           const std::vector<ObjectGeometry>& geometry);
 
+    /// The same but for what the air itself sends along the way to the objects, and what is to be
+    /// told of it.
+    void seeAlong(const std::vector<SampledBand>& bands);
+
     const RadianceTerms& terms() const { return *terms_; }
     const SurfaceRows& rows() const { return rows_; }
     /// By drawn row, those of lobes behind.

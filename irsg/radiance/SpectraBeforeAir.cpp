@@ -20,10 +20,6 @@ void addScaled(double scale, const double* values, std::vector<double>& sum) {
             sum[i] += scale * values[i];
 }
 
-bool isAlongPath(const RadianceTerm& term) {
-    return term.light && geometryOf(*term.light) == QueryGeometry::path;
-}
-
 /// Of light at one place whose altitude has other last digits on paths of other lengths.
 constexpr double roundingOfLight = 1e-7;
 
@@ -59,7 +55,7 @@ std::vector<TermSpectrum> termSpectra(const SceneRadiometry& radiometry, int dra
     std::vector<TermSpectrum> all;
     for (std::size_t k = 0; k < radiometry.terms().terms.size(); ++k) {
         const RadianceTerm& term = radiometry.terms().terms[k];
-        if ((term.light && !air.light[k]) || surface.isWithout(term.surface) || isAlongPath(term))
+        if ((term.light && !air.light[k]) || surface.isWithout(term.surface) || term.isAlongPath())
             continue;
         TermSpectrum one{term.factor, std::vector<double>(nodes, 0.0)};
         if (term.surface == SurfaceQuantity::emission)
@@ -280,7 +276,7 @@ bool SpectraBeforeAir::existOf(const SceneRadiometry& radiometry, const SampledS
         return false;
     return std::ranges::all_of(radiometry.surfaces(), &SurfaceSpectra::emissionPassesAtmosphere) &&
            std::ranges::all_of(radiometry.terms().terms, [](const RadianceTerm& term) {
-               return isAlongPath(term)
+               return term.isAlongPath()
                           ? term.surface == SurfaceQuantity::opacity && term.factor.drawn < 0 &&
                                 !term.passesAtmosphere
                           : term.passesAtmosphere || term.surface == SurfaceQuantity::emission;
@@ -292,7 +288,7 @@ bool SpectraBeforeAir::differByPathAlone(const RadianceTerms& terms, const Sampl
     const auto areAlike = [&](const ObjectAtmosphere& one, const ObjectAtmosphere& other) {
         const AtmosphereSamples &own = one.nodes.front(), &others = other.nodes.front();
         for (std::size_t k = 0; k < terms.terms.size(); ++k)
-            if (!isAlongPath(terms.terms[k]) && !areAlmostEqual(own.light[k], others.light[k]))
+            if (!terms.terms[k].isAlongPath() && !areAlmostEqual(own.light[k], others.light[k]))
                 return false;
         return std::abs(one.ambient_K - other.ambient_K) <= roundingOfLight * one.ambient_K &&
                one.toReference.empty() && other.toReference.empty() &&
@@ -319,7 +315,7 @@ std::vector<SpectraBeforeAir::Through> SpectraBeforeAir::throughAir(const AirAtR
             const AtmosphereSamples& there = places[static_cast<std::size_t>(place)];
             addScaled(part, part != 0.0 ? there.transmittance->data() : nullptr, own.transmittance);
             for (std::size_t k = 0; k < terms_->terms.size(); ++k)
-                if (part != 0.0 && isAlongPath(terms_->terms[k]) && there.light[k])
+                if (part != 0.0 && terms_->terms[k].isAlongPath() && there.light[k])
                     addScaled(part, there.light[k]->data(), own.path);
         };
         rows.forEachRow(0, static_cast<float>(air.range_m + offset_m), [&](int row, float part) {

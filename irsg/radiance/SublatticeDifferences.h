@@ -150,6 +150,7 @@ class SublatticeDifferences {
         for (ViewSurfaceSums<Factors>& sums : classes_)
             sums.finish();
         joined_.finish();
+        beyond_.finish();
         for (ViewSurfaceSums<Factors>& sums : corrections_)
             sums.finish();
     }

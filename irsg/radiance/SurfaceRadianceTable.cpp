@@ -71,6 +71,12 @@ void SurfaceRadianceTable::turn(const std::vector<int>& drawn) {
                 ofStack[static_cast<std::size_t>(row)].isCombined = false;
 }
 
+void SurfaceRadianceTable::seeAlong() {
+    for (std::vector<Place>& ofStack : places_)
+        for (Place& place : ofStack)
+            place.isPathKnown = place.isCombined = false;
+}
+
 std::vector<SurfaceRadianceTable::TermGroup> SurfaceRadianceTable::termGroupsOf(int drawn) const {
     const SurfaceSpectra& surface = radiometry_.surfaces()[static_cast<std::size_t>(drawn)];
     const AtmosphereSamples& air = radiometry_.air(radiometry_.rows().first(drawn));
@@ -93,7 +99,7 @@ std::vector<SurfaceRadianceTable::TermGroup> SurfaceRadianceTable::termGroupsOf(
         TermGroup group;
         group.passesAtmosphere =
             term.passesAtmosphere || (isEmission && surface.emissionPassesAtmosphere);
-        if (term.light && irsg::geometryOf(*term.light) == QueryGeometry::path)
+        if (term.isAlongPath())
             group.pathLight = static_cast<int>(k);
         const auto parts = static_cast<int>(surface.emission.size());
         for (int part = isEmission ? 0 : -1; part < (isEmission ? parts : 0); ++part) {
@@ -147,9 +153,17 @@ SurfaceRadianceTable::plan(const std::vector<SurfaceStackId>& kinds) {
         const int drawn = radiometry_.rows().renderedOf(kind.row);
         Place& place = placeOf(kind);
         HiddenPlace& hidden = hiddenPlaceOf(kind.stack, drawn);
-        if (place.isKnown && hidden.isKnown)
+        if (place.isKnown && place.isPathKnown && hidden.isKnown)
             continue;
         Work& work = all[{kind.stack, drawn}];
+        if (place.isKnown && !place.isPathKnown) {
+            const std::vector<TermGroup>& groups = termGroups_[static_cast<std::size_t>(drawn)];
+            for (std::size_t output = 0; output < outputs_; ++output)
+                for (std::size_t s = 0; s < groups.size(); ++s)
+                    if (groups[s].pathLight >= 0)
+                        groupSums_[place.groupSums + output * groups.size() + s] = 0.0;
+            work.rowsOfPath.push_back(kind.row);
+        }
         if (!place.isKnown) {
             place.groupSums = groupSums_.size();
             groupSums_.resize(groupSums_.size() +
@@ -166,7 +180,7 @@ SurfaceRadianceTable::plan(const std::vector<SurfaceStackId>& kinds) {
             std::fill_n(&hidden_[hidden.at], 2 * outputs_, 0.0);
             work.hidden = true;
         }
-        place.isKnown = hidden.isKnown = hidden.hasRoom = true;
+        place.isKnown = place.isPathKnown = hidden.isKnown = hidden.hasRoom = true;
     }
     return all;
 }
@@ -205,16 +219,22 @@ void SurfaceRadianceTable::evaluate(int stack, int kindOf, int drawn, const Work
                                     const Passed& passed) {
     if (work.hidden)
         evaluateHidden(drawn, passed.plain, &hidden_[hiddenPlaceOf(stack, kindOf).at]);
-    if (work.rows.empty())
+    addSums(stack, drawn, work.rows, false, passed);
+    addSums(stack, drawn, work.rowsOfPath, true, passed);
+}
+
+void SurfaceRadianceTable::addSums(int stack, int drawn, const std::vector<int>& rows, bool ofPath,
+                                   const Passed& passed) {
+    if (rows.empty())
         return;
     const std::size_t groups = termGroups_[static_cast<std::size_t>(drawn)].size();
-    std::vector<SliceBetween> about(work.rows.size());
+    std::vector<SliceBetween> about(rows.size());
     std::vector<int> taken; // rows that are summed for them, ascending
     std::vector<double> sums;
     for (std::size_t output = 0; output < outputs_; ++output) {
         taken.clear();
-        for (std::size_t r = 0; r < work.rows.size(); ++r) {
-            about[r] = radiometry_.rowsAbout(work.rows[r], output);
+        for (std::size_t r = 0; r < rows.size(); ++r) {
+            about[r] = radiometry_.rowsAbout(rows[r], output);
             taken.push_back(about[r].below);
             taken.push_back(about[r].above);
         }
@@ -223,29 +243,31 @@ void SurfaceRadianceTable::evaluate(int stack, int kindOf, int drawn, const Work
         const auto& [first, last] = radiometry_.outputs()[output];
         sums.assign(taken.size() * groups, 0.0);
         for (std::size_t begin = first; begin < last; begin += nodesOfBlock)
-            addBlock(drawn, taken, passed, begin, std::min(nodesOfBlock, last - begin), sums);
+            addBlock(drawn, taken, ofPath, passed, begin, std::min(nodesOfBlock, last - begin),
+                     sums);
         const auto sumsOf = [&](int row) {
             return &sums[static_cast<std::size_t>(std::ranges::lower_bound(taken, row) -
                                                   taken.begin()) *
                          groups];
         };
-        for (std::size_t r = 0; r < work.rows.size(); ++r) {
+        for (std::size_t r = 0; r < rows.size(); ++r) {
             const double *below = sumsOf(about[r].below), *above = sumsOf(about[r].above);
-            double* const own =
-                &groupSums_[placeOf({stack, work.rows[r]}).groupSums + output * groups];
+            double* const own = &groupSums_[placeOf({stack, rows[r]}).groupSums + output * groups];
             for (std::size_t s = 0; s < groups; ++s)
                 own[s] += std::lerp(below[s], above[s], about[r].part);
         }
     }
 }
 
-void SurfaceRadianceTable::addBlock(int drawn, const std::vector<int>& rows, const Passed& passed,
-                                    std::size_t begin, std::size_t count,
+void SurfaceRadianceTable::addBlock(int drawn, const std::vector<int>& rows, bool ofPath,
+                                    const Passed& passed, std::size_t begin, std::size_t count,
                                     std::vector<double>& sums) const {
     double values[nodesOfBlock], through[nodesOfBlock];
     const std::vector<TermGroup>& groups = termGroups_[static_cast<std::size_t>(drawn)];
     for (std::size_t s = 0; s < groups.size(); ++s) {
         const TermGroup& group = groups[s];
+        if (ofPath && group.pathLight < 0)
+            continue;
         fillGroup(drawn, group, &passed.of(group.passesAtmosphere)[begin], begin, count, values);
         for (std::size_t r = 0; r < rows.size(); ++r) {
             const AtmosphereSamples& air = radiometry_.air(rows[r]);

@@ -40,6 +40,8 @@ class SurfaceRadianceTable {
     void setBackground(SharedValues background);
     /// Tells of drawn rows whose factors of emission have become others.
     void turn(const std::vector<int>& drawn);
+    /// Tells that what the air itself sends along the way has become other.
+    void seeAlong();
     /// Of the background in an output, W m-2 sr-1.
     double background_W_m2_sr(std::size_t output = 0) const { return inBand_[output]; }
 
@@ -99,6 +101,7 @@ class SurfaceRadianceTable {
     /// Where a kind's numbers lie, output by output.
     struct Place {
         bool isKnown = false, isCombined = false;
+        bool isPathKnown = false; ///< groups with light of the path are summed
         std::size_t groupSums = 0, sent = 0;
     };
     /// The same for what is the same in all rows of a surface.
@@ -108,7 +111,7 @@ class SurfaceRadianceTable {
     };
     /// What is to be evaluated of a surface behind a front.
     struct Work {
-        std::vector<int> rows;
+        std::vector<int> rows, rowsOfPath; ///< of all groups, and of those of the path alone
         bool hidden = false;
     };
 
@@ -120,9 +123,12 @@ class SurfaceRadianceTable {
     std::map<std::pair<int, int>, Work> plan(const std::vector<SurfaceStackId>& kinds);
     /// Of one of the drawn rows that the kind stands for: adds to what others of them have.
     void evaluate(int stack, int kindOf, int drawn, const Work& work, const Passed& passed);
+    /// The same for its groups of terms in some rows, or for those of the path alone.
+    void addSums(int stack, int drawn, const std::vector<int>& rows, bool ofPath,
+                 const Passed& passed);
     /// Adds a block of nodes to the sums of rows of a surface, group by group.
-    void addBlock(int drawn, const std::vector<int>& rows, const Passed& passed, std::size_t begin,
-                  std::size_t count, std::vector<double>& sums) const;
+    void addBlock(int drawn, const std::vector<int>& rows, bool ofPath, const Passed& passed,
+                  std::size_t begin, std::size_t count, std::vector<double>& sums) const;
     void fillGroup(int drawn, const TermGroup& group, const double* passed, std::size_t begin,
                    std::size_t count, double* values) const;
     void evaluateHidden(int drawn, const std::vector<double>& passed, double* into) const;

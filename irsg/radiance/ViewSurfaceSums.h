@@ -159,7 +159,7 @@ class ViewSurfaceSums {
         }
         ofGas_.clear();
     }
-    /// Divides it; nothing is added afterwards.
+    /// Divides it; nothing but light is added afterwards.
     void finish() {
         endRun();
         for (const auto& [key, mirrors] : mirrors_) {
@@ -185,6 +185,7 @@ class ViewSurfaceSums {
         }
         mirrors_.clear();
         lastSpeculars_ = nullptr;
+        findPlaces();
     }
 
     /// Ends the runs of receivers; no sample comes after it.
@@ -198,7 +199,7 @@ class ViewSurfaceSums {
     /// Adds what was seen of receivers of light, finished, times a sign; see addTo.
     template <typename StackOf>
     void addLightTo(LightSums& light, StackOf stackOf, double sign) const {
-        for (std::size_t place = 0; place < slots_.size() && !light_.empty(); ++place) {
+        for (const std::size_t place : places_) {
             const auto slot = static_cast<std::size_t>(slots_[place]);
             if (slots_[place] == none || slot >= light_.size() || light_[slot].isEmpty())
                 continue;
@@ -212,7 +213,7 @@ class ViewSurfaceSums {
     template <typename StackOf>
     void addTo(GeometryBuffer<double>& field, const ViewLayout& layout, StackOf stackOf,
                double sign) const {
-        for (std::size_t place = 0; place < slots_.size(); ++place) {
+        for (const std::size_t place : places_) {
             if (slots_[place] != none)
                 addSumsTo(field, layout, kindOf(place, stackOf),
                           static_cast<std::size_t>(slots_[place]), sign);
@@ -296,6 +297,17 @@ class ViewSurfaceSums {
         ofRun_.emplace_back().place = place;
         behind_W_m2_.resize(2 * sums_.size() * varying_.size());
         return sums_.size() - 1;
+    }
+
+    /// Those that were seen, of thousands that there are, so that none of the others is asked.
+    void findPlaces() {
+        places_.clear();
+        for (const OfRun& run : ofRun_)
+            places_.push_back(run.place);
+        places_.insert(places_.end(), specularPlaces_.begin(), specularPlaces_.end());
+        std::ranges::sort(places_);
+        const auto twice = std::ranges::unique(places_);
+        places_.erase(twice.begin(), twice.end());
     }
 
     void addSumsTo(GeometryBuffer<double>& field, const ViewLayout& layout,
@@ -471,6 +483,7 @@ class ViewSurfaceSums {
             for (std::size_t i = 0; i < count; ++i) {
                 specularSlots_[place + i * step] = static_cast<std::int32_t>(specular_.size());
                 specular_.emplace_back();
+                specularPlaces_.push_back(place + i * step);
             }
         return &specular_[static_cast<std::size_t>(specularSlots_[place])];
     }
@@ -490,10 +503,12 @@ class ViewSurfaceSums {
     SampleMeasure sample_;               // of those that are added
     std::vector<double> behind_W_m2_sr_; // by varying background
     std::vector<std::int32_t> slots_, specularSlots_; // by place: front, then row
-    std::vector<Sums> sums_;                          // by slot
-    std::vector<OfRun> ofRun_;                        // likewise
-    std::vector<std::size_t> seen_;                   // slots, since the pixel was gone to
-    GasSums gas_;                                     // likewise
+    std::vector<std::size_t> places_;         // that were seen, in their order, once all is added
+    std::vector<std::size_t> specularPlaces_; // by slot of a mirror
+    std::vector<Sums> sums_;                  // by slot
+    std::vector<OfRun> ofRun_;                // likewise
+    std::vector<std::size_t> seen_;           // slots, since the pixel was gone to
+    GasSums gas_;                             // likewise
     /// By number of their places: times solid angle, projected solid angle and part of a pixel, and
     /// times both angles by varying background.
     std::vector<std::vector<double>> ofGas_;

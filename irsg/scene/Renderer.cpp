@@ -77,7 +77,7 @@ Rendered Renderer::render(const Scene& scene, const SensorView& view, const Outp
                                     ? p.hazeGains(scene, view, band, outputs.pathDepth())
                                     : HazeGains{});
             p.clock.timed("scaled view", [&] {
-                EvaluatedScene& evaluated = *frame.evaluation().evaluated;
+                EvaluatedScene& evaluated = frame.evaluation().turned(scene.entities);
                 const auto add = [&](std::size_t band, const ObjectRadiometry& sum,
                                      std::optional<int> only) {
                     auto direct = std::make_unique<const SceneScaledView>(
@@ -143,6 +143,7 @@ PendingRender Renderer::begin(const Scene& scene, const SensorView& view, const 
 }
 
 void Renderer::Impl::renderImage(const Frame& frame, const Outputs& outputs, Rendered& result) {
+    frame.evaluation().turned(frame.scene().entities);
     // Sums are those of a sweep, which samples as the picture does.
     const bool isPictures = outputs.hasReports() && frame.scene().entities.size() <= 1 &&
                             frame.request.bands.size() == 1;

@@ -13,6 +13,7 @@ std::vector<double> SceneEvaluation::ranges_m() const {
 
 EvaluatedScene& SceneEvaluation::turned(const std::vector<Entity>& entities) const {
     evaluated->turnTo(entities, geometry);
+    evaluated->seeAlong(sampled);
     evaluated->radiances.setBackground(background());
     return *evaluated;
 }

@@ -9,6 +9,7 @@
 #include "irsg/atmosphere/engine/GasTable.h"
 #include "irsg/atmosphere/engine/ResourceFile.h"
 #include "irsg/radiance/PlanckTable.h"
+#include "irsg/radiance/RadiometryCache.h"
 #include "irsg/radiance/SampledScene.h"
 #include "irsg/radiometry/Planck.h"
 #include "irsg/scene/Renderer.h"
@@ -229,6 +230,93 @@ TEST(CachesOfASweep, AreSeenByNobodyInTheTurnOfAnAspect) {
         Renderer fresh;
         EXPECT_EQ(told(warm, one), told(fresh, one)) << i;
     }
+}
+
+TEST(CachesOfASweep, AreSeenByNobodyWhereSurfacesLightEachOther) {
+    // About the sun path radiance alone changes, and what surfaces send each other is found again.
+    Renderer warm;
+    std::vector<PendingRender> begun;
+    std::vector<Case> cases;
+    const auto intensitiesOf = [](const Rendered& rendered) {
+        std::vector<double> all;
+        for (const RenderReport& report : rendered.reports) {
+            all.insert(all.end(), {report.all.intensity_W_sr, report.all.contrastIntensity_W_sr,
+                                   report.all.irradiance_W_m2,
+                                   report.all.errors.value().intensity_W_sr.sum()});
+        }
+        return all;
+    };
+    for (int i = 0; i < 8; ++i) {
+        Case one = first();
+        one.scene.settings.bounces = 2;
+        one.scene.settings.errors = true;
+        one.scene.entities[0].model = modelOf(
+            joined(sphereMesh(1.0, 12, 24, body), boxMesh({1, 1, 4}, std::vector(6, body))));
+        one.seeFrom(150.0, 0.8 * i, 0.3);
+        begun.push_back(warm.begin(one.scene, one.view, Outputs::reports(one.bands)));
+        cases.push_back(std::move(one));
+    }
+    for (const std::size_t i : {7, 0, 3, 1, 6, 2, 5, 4}) {
+        Renderer fresh;
+        const Case& one = cases[i];
+        EXPECT_EQ(intensitiesOf(begun[i].get()),
+                  intensitiesOf(fresh.render(one.scene, one.view, Outputs::reports(one.bands))))
+            << i;
+    }
+}
+
+TEST(RadiometryCache, KeepsWhatDiffersByPathRadianceAlone) {
+    const Case base = first();
+    AtmosphericQueryCache answers;
+    answers.setEnvironment(base.scene.environment);
+    SceneSampling sampling;
+    SampledScenes scenes;
+    RadiometryCache cache;
+    const OccluderStacks occluderStacks;
+    const RadianceTerms& terms = RadianceTerms::standard();
+    struct Seen {
+        std::shared_ptr<EvaluatedScene> scene;
+        std::shared_ptr<const SampledScene> sampled;
+        double constant = 0.0, perFactor = 0.0;
+    };
+    const auto at = [&](RadiometryCache& of, double range_m, double azimuth_rad) {
+        ObjectGeometry geometry;
+        geometry.path = {1100.0, 1000.0, range_m, azimuth_rad};
+        geometry.nearest_m = range_m - 2.0;
+        geometry.farthest_m = range_m + 2.0;
+        std::vector<ObjectGeometry> all{geometry};
+        Seen seen;
+        seen.sampled = scenes.of(
+            answers,
+            {terms, base.scene.entities, all, base.scene.settings, {1100.0, 0.0, azimuth_rad}},
+            {Band::topHat(3.0, 5.0)}, false,
+            [&](const AtmosphereScene& scene, const std::vector<Band>& bands) {
+                return sampling.spectral(answers, scene, bands);
+            });
+        all.front().slices_m = seen.sampled->slices_m.front();
+        seen.scene = of.of(terms, base.scene.entities, all, seen.sampled, occluderStacks);
+        const SurfaceStackId kind{0, 0};
+        seen.scene->radiances.prepare({kind});
+        seen.constant = seen.scene->radiances.of(kind).constant;
+        seen.perFactor = seen.scene->radiances.of(kind).perFactor[0];
+        return seen;
+    };
+    const auto told = [](const Seen& seen) { return std::pair{seen.constant, seen.perFactor}; };
+    const auto alone = [&](double range_m, double azimuth_rad) {
+        RadiometryCache own;
+        return told(at(own, range_m, azimuth_rad));
+    };
+    const Seen one = at(cache, 150.0, 0.3), other = at(cache, 150.0, 1.9);
+    EXPECT_EQ(other.scene, one.scene);
+    EXPECT_NE(other.constant, one.constant);
+    EXPECT_EQ(other.perFactor, one.perFactor);
+    EXPECT_EQ(told(other), alone(150.0, 1.9));
+    // Another frame turns it back.
+    one.scene->seeAlong(one.sampled);
+    one.scene->radiances.prepare({{0, 0}});
+    EXPECT_EQ(one.scene->radiances.of({0, 0}).constant, one.constant);
+    EXPECT_EQ(told(one), alone(150.0, 0.3));
+    EXPECT_NE(at(cache, 150.5, 0.3).scene, one.scene);
 }
 
 TEST(SampledScenes, AreFoundAgainOnlyWhereTheAirIsTheSame) {

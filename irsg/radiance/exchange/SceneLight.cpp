@@ -16,6 +16,8 @@ namespace {
 
 /// Bands in which integrals are kept, some kB a kind and band; a spectrum has too many outputs.
 constexpr std::size_t mostOutputsCached = 128;
+/// Of the integrals of kinds, 32 MiB, where other views of a sweep may ask for them again.
+constexpr std::size_t mostNumbersKept = std::size_t{1} << 22;
 /// A view has about thirty sums of each kind of receivers, half of which it sees (its own, and the
 /// differences of its sublattices).
 constexpr std::size_t mostOutputsAtReceivers = 8;
@@ -247,13 +249,11 @@ bool SceneLight::sumsAtReceivers() const {
 
 void SceneLight::prepareReceivers(const std::vector<const LightSums*>& views) {
     const std::size_t outputs = radiometry_.outputs().size();
-    std::vector<SurfaceStackId> kinds;
     std::map<std::pair<int, int>, std::vector<std::uint32_t>> missing; // receivers of kinds
     for (const LightSums* view : views)
         for (const auto& [kind, sums] : *view) {
             if (!matters(radiometry_.rows().renderedOf(kind.second)))
                 continue;
-            kinds.push_back({kind.first, kind.second});
             const auto [place, isNew] = sent_.try_emplace(kind);
             Sent& sent = place->second;
             if (isNew) {
@@ -267,6 +267,12 @@ void SceneLight::prepareReceivers(const std::vector<const LightSums*>& views) {
                     missing[kind].push_back(seen.receiver);
                 }
         }
+    // Others are not asked for again: what all their receivers send is known.
+    std::vector<SurfaceStackId> kinds;
+    for (const auto& [kind, locals] : missing)
+        kinds.push_back({kind.first, kind.second});
+    if (known_.size() > kinds.size() && known_.size() * outputs * width() > mostNumbersKept)
+        known_.clear();
     prepare(kinds);
     for (const auto& [kind, locals] : missing) {
         const std::vector<std::uint32_t>& receivers = receiversOf(kind.second);
