@@ -17,6 +17,7 @@
 #include "irsg/radiance/GasSums.h"
 #include "irsg/radiance/GeometryBuffer.h"
 #include "irsg/radiance/LayerWalk.h"
+#include "irsg/radiance/SeenReceivers.h"
 #include "irsg/radiance/SurfaceRows.h"
 #include "irsg/radiance/ViewGeometry.h"
 #include "irsg/radiance/exchange/SceneLight.h"
@@ -39,7 +40,7 @@ class ViewSurfaceSums {
           surfaces_(rows),
           grid_(grid),
           varying_(varying),
-          exchange_(exchange),
+          received_(exchange),
           share_(share),
           behind_W_m2_sr_(varying.size()) {}
 
@@ -188,14 +189,8 @@ class ViewSurfaceSums {
         findPlaces();
     }
 
-    /// Ends the runs of receivers; no sample comes after it.
-    void finishLight() {
-        light_.resize(receivers_.size());
-        for (std::size_t slot = 0; slot < receivers_.size(); ++slot) {
-            addRun(std::exchange(runs_[slot], {}), receivers_[slot]);
-            light_[slot] = receivers_[slot].take();
-        }
-    }
+    /// Ends the run of receivers; no sample comes after it.
+    void finishLight() { light_ = received_.take(); }
     /// Adds what was seen of receivers of light, finished, times a sign; see addTo.
     template <typename StackOf>
     void addLightTo(LightSums& light, StackOf stackOf, double sign) const {
@@ -395,11 +390,6 @@ class ViewSurfaceSums {
         }
     }
 
-    /// Samples that follow each other in one triangle, by the weights of its corners.
-    struct Run {
-        std::uint32_t cell = GeometrySamples::Place::none;
-        std::array<double, 3> plain{}, cosine{};
-    };
     [[gnu::always_inline]] void addReceived(std::size_t place, const SurfaceRows::Between& between,
                                             const GeometrySamples::Layer& layer) {
         if (!layer.place || layer.place->cell == GeometrySamples::Place::none)
@@ -410,33 +400,8 @@ class ViewSurfaceSums {
             addReceivers(place + 1, coverage * static_cast<double>(between.next), *layer.place);
     }
     void addReceivers(std::size_t place, double weight, const GeometrySamples::Place& at) {
-        const std::size_t slot = slotOf(place);
-        if (slot >= receivers_.size()) {
-            receivers_.resize(sums_.size());
-            runs_.resize(sums_.size());
-        }
-        Run& run = runs_[slot];
-        if (run.cell != at.cell) {
-            addRun(run, receivers_[slot]);
-            run = {};
-            run.cell = at.cell;
-        }
-        const auto u = static_cast<double>(at.u), v = static_cast<double>(at.v);
-        const std::array<double, 3> parts{1.0 - u - v, u, v};
-        for (std::size_t c = 0; c < 3; ++c) {
-            run.plain[c] += weight * sample_.omega_sr * parts[c];
-            run.cosine[c] += weight * sample_.projected_sr * parts[c];
-        }
-    }
-    void addRun(const Run& run, ReceiverSumsMaker& sums) const {
-        if (run.cell == GeometrySamples::Place::none)
-            return;
-        exchange_->forEachReceiver(
-            run.cell, [&](std::uint32_t receiver, std::size_t corner, float part) {
-                ReceiverSums::Weights& own = sums.of(exchange_->localOf(receiver));
-                own[0] += run.plain[corner] * static_cast<double>(part);
-                own[1] += run.cosine[corner] * static_cast<double>(part);
-            });
+        received_.add(slotOf(place), place % rows_, weight * sample_.omega_sr,
+                      weight * sample_.projected_sr, at);
     }
 
     /// Of the nodes of a table that were seen, by component, and without and with cosine: a table
@@ -492,10 +457,8 @@ class ViewSurfaceSums {
     const SurfaceRows& surfaces_;
     const PixelGrid& grid_;
     const std::vector<const FrameBackground*>& varying_;
-    const LightExchange* exchange_;
-    std::vector<ReceiverSumsMaker> receivers_; // by slot
-    std::vector<Run> runs_;                    // likewise
-    std::vector<ReceiverSums> light_;          // likewise, of what is finished
+    SeenReceivers received_;
+    std::vector<ReceiverSums> light_; // by slot, of what is finished
     int y_ = -1;
     std::vector<PixelGrid::Pixel> pixels_; // of that row, by x; no solid angle: not known yet
     double share_;

@@ -39,36 +39,63 @@ std::vector<std::uint32_t> someReceivers(unsigned seed) {
 TEST(ReceiverSums, HaveWhatWasAddedToEachInTheOrderOfReceivers) {
     ReceiverSumsMaker maker;
     EXPECT_TRUE(maker.isEmpty());
+    EXPECT_EQ(maker.addFront(), 0u);
     Known wanted;
     double weight = 0.125;
     for (const std::uint32_t receiver : someReceivers(1)) {
-        for (Known::mapped_type* sums : {&maker.of(receiver), &wanted[receiver]}) {
+        for (Known::mapped_type* sums : {maker.of(receiver), &wanted[receiver]}) {
             (*sums)[0] += weight;
             (*sums)[1] += 0.5 * weight;
         }
         weight += 0.25;
     }
-    const ReceiverSums sums = maker.take();
-    EXPECT_TRUE(maker.isEmpty());
-    EXPECT_TRUE(maker.take().isEmpty());
+    EXPECT_FALSE(maker.isEmpty());
+    const ReceiverSums sums = maker.sumsOf(0);
     EXPECT_EQ(knownOf(sums), wanted);
     EXPECT_EQ(sums.entries().size(), wanted.size());
     EXPECT_TRUE(std::ranges::is_sorted(sums.entries(), {}, &ReceiverSums::Entry::receiver));
 }
 
+TEST(ReceiverSums, KeepWhatIsSeenBehindEachFrontApartWheneverItComes) {
+    ReceiverSumsMaker maker;
+    std::vector<Known> wanted;
+    std::mt19937 random(4);
+    for (const std::uint32_t receiver : someReceivers(5)) {
+        if (wanted.size() < 11 && random() % 200 == 0) {
+            EXPECT_EQ(maker.addFront(), wanted.size());
+            wanted.emplace_back();
+        }
+        if (wanted.empty()) {
+            continue;
+        }
+        const std::size_t front = random() % wanted.size();
+        const auto weight = static_cast<double>(random() % 100 + 1);
+        maker.of(receiver)[front][0] += weight;
+        maker.of(receiver)[front][1] -= weight;
+        wanted[front][receiver][0] += weight;
+        wanted[front][receiver][1] -= weight;
+    }
+    ASSERT_EQ(wanted.size(), 11u);
+    for (std::size_t front = 0; front < wanted.size(); ++front) {
+        EXPECT_EQ(knownOf(maker.sumsOf(front)), wanted[front]) << front;
+    }
+}
+
 TEST(ReceiverSums, AddOthersTimesAScaleWhereverTheyLie) {
     ReceiverSumsMaker one, other;
+    one.addFront();
+    other.addFront();
     Known wanted;
     for (const std::uint32_t receiver : someReceivers(2)) {
-        one.of(receiver)[0] += 1.0;
+        (*one.of(receiver))[0] += 1.0;
         wanted[receiver][0] += 1.0;
     }
     for (const std::uint32_t receiver : someReceivers(3)) {
-        other.of(receiver)[1] += 3.0;
+        (*other.of(receiver))[1] += 3.0;
         wanted[receiver][1] -= 1.5;
     }
-    const ReceiverSums added = other.take();
-    ReceiverSums sums = one.take();
+    const ReceiverSums added = other.sumsOf(0);
+    ReceiverSums sums = one.sumsOf(0);
     sums.addScaled(added, -0.5);
     EXPECT_EQ(knownOf(sums), wanted);
 

@@ -32,9 +32,24 @@ void addLight(const LightSums& light, double scale, LightSums& to) {
         to[kind].addScaled(sums, scale);
 }
 
-ReceiverSums ReceiverSumsMaker::take() {
-    places_.clear();
-    return ReceiverSums(std::exchange(entries_, {}));
+std::size_t ReceiverSumsMaker::addFront() {
+    if (fronts_ == width_) {
+        std::vector<ReceiverSums::Weights> wider(2 * weights_.size());
+        for (std::size_t i = 0; i < receivers_.size(); ++i)
+            std::copy_n(&weights_[i * width_], width_, &wider[i * 2 * width_]);
+        weights_ = std::move(wider);
+        width_ *= 2;
+    }
+    return fronts_++;
+}
+
+ReceiverSums ReceiverSumsMaker::sumsOf(std::size_t front) const {
+    std::vector<ReceiverSums::Entry> entries;
+    for (std::size_t i = 0; i < receivers_.size(); ++i)
+        if (const ReceiverSums::Weights& own = weights_[i * width_ + front];
+            own != ReceiverSums::Weights{})
+            entries.push_back({receivers_[i], own});
+    return ReceiverSums(std::move(entries));
 }
 
 void ReceiverSumsMaker::grow() {
@@ -43,8 +58,8 @@ void ReceiverSumsMaker::grow() {
     shift_ = 32;
     for (std::size_t size = places_.size(); size > 1; size /= 2)
         --shift_;
-    for (std::size_t i = 0; i < entries_.size(); ++i) {
-        std::size_t place = placeOf(entries_[i].receiver);
+    for (std::size_t i = 0; i < receivers_.size(); ++i) {
+        std::size_t place = placeOf(receivers_[i]);
         while (places_[place] != none)
             place = (place + 1) & (places_.size() - 1);
         places_[place] = static_cast<std::uint32_t>(i);

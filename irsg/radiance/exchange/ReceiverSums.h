@@ -41,23 +41,28 @@ using LightSums = std::map<std::pair<int, int>, ReceiverSums>;
 /// Adds sums times a scale.
 void addLight(const LightSums& light, double scale, LightSums& to);
 
-/// Makes such sums, a receiver at a time.
+/// Makes such sums of a row behind several fronts, a receiver at a time: all fronts see the same
+/// receivers, which are looked for once.
 class ReceiverSumsMaker {
   public:
-    bool isEmpty() const { return entries_.empty(); }
-    /// Of a receiver, 0 at first; valid until the next is asked for.
-    ReceiverSums::Weights& of(std::uint32_t receiver) {
-        if (2 * entries_.size() >= places_.size())
+    bool isEmpty() const { return receivers_.empty(); }
+    /// Of one more front, the number of its sums; 0 is the first.
+    std::size_t addFront();
+    /// Of a receiver by front, 0 at first; valid until another receiver or front comes.
+    ReceiverSums::Weights* of(std::uint32_t receiver) {
+        if (2 * receivers_.size() >= places_.size())
             grow();
         std::size_t place = placeOf(receiver);
         for (; places_[place] != none; place = (place + 1) & (places_.size() - 1))
-            if (ReceiverSums::Entry& entry = entries_[places_[place]]; entry.receiver == receiver)
-                return entry.weights;
-        places_[place] = static_cast<std::uint32_t>(entries_.size());
-        return entries_.emplace_back(receiver, ReceiverSums::Weights{}).weights;
+            if (receivers_[places_[place]] == receiver)
+                return &weights_[places_[place] * width_];
+        places_[place] = static_cast<std::uint32_t>(receivers_.size());
+        receivers_.push_back(receiver);
+        weights_.resize(weights_.size() + width_);
+        return &weights_[weights_.size() - width_];
     }
-    /// What was added; nothing is left.
-    ReceiverSums take();
+    /// What was added behind a front; receivers without any are left out.
+    ReceiverSums sumsOf(std::size_t front) const;
 
   private:
     static constexpr std::uint32_t none = 0xffffffffu;
@@ -69,8 +74,10 @@ class ReceiverSumsMaker {
     }
     void grow();
 
-    std::vector<ReceiverSums::Entry> entries_;
-    std::vector<std::uint32_t> places_; ///< of entries, as many as a power of two; linear probing
+    std::vector<std::uint32_t> receivers_;
+    std::vector<ReceiverSums::Weights> weights_; ///< by receiver and front
+    std::size_t fronts_ = 0, width_ = 1;         ///< that there are, and that there is room for
+    std::vector<std::uint32_t> places_; ///< of receivers, as many as a power of two; linear probing
     int shift_ = 32;                    ///< leaves as many bits as places have
 };
 
