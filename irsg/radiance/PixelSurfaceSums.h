@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "irsg/geometry/view/ImageRectangle.h"
+#include "irsg/geometry/view/PixelGrid.h"
 #include "irsg/radiance/GasSums.h"
 #include "irsg/radiance/GeometryBuffer.h"
 #include "irsg/radiance/LayerWalk.h"
@@ -43,7 +44,7 @@ class PixelSurfaceSums {
     }
 
     /// Samples that are added now count so much beside others of their pixel.
-    void setShare(double share) { ofSample_ = share; }
+    void setShare(const PixelGrid::Share& share) { ofSample_ = share.solidAngle; }
 
     void add(int stack, const SurfaceRows::Between& between, const GeometrySamples::Layer& layer) {
         const float* factors = layer.factors.data();

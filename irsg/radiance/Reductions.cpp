@@ -282,7 +282,7 @@ void addPointToPixel(const PointGeometry& atUnitDistance, const SurfaceRows& row
         sent += scale * radianceOf(radiance, numbers.data());
         opacity += scale * radiance.opacity * numbers[0];
     });
-    frame.addPoint(place.x, place.y, sent, opacity);
+    frame.addPoint(place.x, place.y, sent, opacity, place.cosineShare);
 }
 
 } // namespace irsg

@@ -78,7 +78,7 @@ class SublatticeDifferences {
             corrections_[k].goTo(classes_[0], signs[k] * (wanted[k] / weight_ - 1.0));
     }
 
-    void setShare(double share) {
+    void setShare(const PixelGrid::Share& share) {
         now_->setShare(share);
         beyond_.setShare(share);
         if (isCorrected_)

@@ -100,7 +100,7 @@ void TruthLayers::add(const SampleTile& tile, const GeometrySamples& samples) {
     std::vector<double> sums(planes.size());
     const OffAxisShares shares(tile, grid_);
     shares.forEachRun(
-        0, tile.height(), [&](std::size_t first, int count, int x, int y, double weight) {
+        0, tile.height(), [&](std::size_t first, int count, int x, int y, double weight, double) {
             const std::size_t pixel = image_.offset(x, y);
             const std::size_t last = first + static_cast<std::size_t>(count);
             std::ranges::fill(sums, 0.0);

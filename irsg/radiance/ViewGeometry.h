@@ -87,10 +87,11 @@ class GeometrySums {
     bool withSublatticeDifferences_;
 };
 
-/// The pixel of a point source and what it is to it.
+/// The pixel of a point source, with its solid angle, and the source's own distance and cosine.
 struct PointPlace {
     int x = 0, y = 0;
     double distance_m = 0.0, solidAngle_sr = 0.0, cosOffAxis = 1.0;
+    double cosineShare = 1.0; ///< that cosine over the one of the pixel's centre
 };
 
 /// Factors of one source at unit distance: coverage and factors in sr m2, in the one cell of a

@@ -62,7 +62,7 @@ class ViewSurfaceSums {
     }
 
     /// Samples that are added now count so much beside others of their pixel.
-    void setShare(double share) {
+    void setShare(const PixelGrid::Share& share) {
         endRun();
         sample_ = whole_.times(share);
     }
@@ -230,8 +230,10 @@ class ViewSurfaceSums {
     struct SampleMeasure {
         double part = 0.0, omega_sr = 0.0, projected_sr = 0.0;
 
-        SampleMeasure times(double share) const {
-            return {share * part, share * omega_sr, share * projected_sr};
+        SampleMeasure times(double factor) const { return times({factor, factor}); }
+        SampleMeasure times(const PixelGrid::Share& share) const {
+            return {share.solidAngle * part, share.solidAngle * omega_sr,
+                    share.projected * projected_sr};
         }
     };
     using Numbers = std::array<double, Factors + 1>;

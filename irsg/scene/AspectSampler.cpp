@@ -248,8 +248,11 @@ PointPlace AspectSampler::placeOf(const Frame& frame, const ObjectExtent& object
     const int x = static_cast<int>(0.5 * (extent.left + extent.right));
     const int y = static_cast<int>(0.5 * (extent.top + extent.bottom));
     const PixelGrid::Pixel pixel = PixelGrid(frame.sensor()).at(x, y);
-    return {x, y, length(object.centre_m - frame.request.view.viewpoint.position_m),
-            pixel.solidAngle_sr, pixel.cosOffAxis};
+    const Viewpoint& viewpoint = frame.request.view.viewpoint;
+    const Vec3 towards = object.centre_m - viewpoint.position_m;
+    const double distance_m = length(towards);
+    const double cosine = dot(towards, viewpoint.forward()) / distance_m;
+    return {x, y, distance_m, pixel.solidAngle_sr, cosine, cosine / pixel.cosOffAxis};
 }
 
 const PointGeometry& AspectSampler::pointGeometry(const Frame& frame, const ObjectExtent& object) {

@@ -90,7 +90,7 @@ void HazeRenderer::addPixels(const Frame& frame, const PixelGeometry& factors,
             const SurfaceStackRadiance radiance = radiances.of(kind);
             std::vector<ScatteredObject::Pixel>& pixels = objectOf(kind).pixels;
             if (pixels.empty() || pixels.back().x != x || pixels.back().y != y)
-                pixels.push_back({x, y, 0.0, 0.0});
+                pixels.push_back({x, y, 0.0, 0.0, 1.0});
             pixels.back().radiance_W_m2_sr += sentBy(radiance, numbers);
             pixels.back().opacity += radiance.opacity * static_cast<double>(numbers[0]);
         });
@@ -110,7 +110,7 @@ void HazeRenderer::addPoints(const Frame& frame, std::vector<ScatteredObject>& o
     for (const ObjectExtent& object : frame.plan.points) {
         const PointPlace place = AspectSampler::placeOf(frame, object);
         const double scale = 1.0 / (place.distance_m * place.distance_m * place.solidAngle_sr);
-        ScatteredObject::Pixel pixel{place.x, place.y, 0.0, 0.0};
+        ScatteredObject::Pixel pixel{place.x, place.y, 0.0, 0.0, place.cosineShare};
         const PointGeometry& point = aspects_.pointGeometry(frame, object);
         if (frame.light())
             pixel.radiance_W_m2_sr += scale * lightOfPoint(point, rows, *frame.light());
@@ -145,7 +145,8 @@ HazeGains HazeRenderer::gains(const Frame& frame) {
         FrameReduction pixels(frame.sensor(), {whole});
         for (const ScatteredObject& object : objects)
             for (const ScatteredObject::Pixel& pixel : object.pixels)
-                pixels.addPoint(pixel.x, pixel.y, pixel.radiance_W_m2_sr, pixel.opacity);
+                pixels.addPoint(pixel.x, pixel.y, pixel.radiance_W_m2_sr, pixel.opacity,
+                                pixel.cosineShare);
         return scattering_.gains(scatteringLutOf(frame.scene().environment)->database(),
                                  frame.sensor(), pictureBackground(frame, pixels), objects,
                                  frame.evaluation().ranges_m());

@@ -28,7 +28,7 @@ std::vector<SampleRun> runsOf(const SampleTile& tile, const PixelGrid& grid, int
     std::vector<SampleRun> runs;
     const OffAxisShares shares(tile, grid);
     shares.forEachRun(
-        first, last, [&](std::size_t sample, int count, int column, int, double weight) {
+        first, last, [&](std::size_t sample, int count, int column, int, double weight, double) {
             if (column != x)
                 return;
             runs.push_back({tile.rowOf(sample),

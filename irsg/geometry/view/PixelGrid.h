@@ -27,13 +27,18 @@ class PixelGrid {
         return {pitch_ * pitch_ * cosine * cosine * cosine, cosine};
     }
 
-    /// The solid angle of a small part of a pixel over what its share of the pixel's area is of
-    /// the pixel's solid angle; around a place `right_px` and `below_px` from the centre, -1/2 to
-    /// 1/2. It falls towards the rim of a frame as cos^3 of the angle off the axis; to first order
-    /// here, so that the mean over a pixel is 1.
-    double shareAt(int x, int y, double right_px, double below_px) const {
+    /// What a small part of a pixel is over what its share of the pixel's area is of the pixel.
+    struct Share {
+        double solidAngle = 1.0;
+        double projected = 1.0; ///< of solid angle times the cosine off the axis
+    };
+    /// Around a place `right_px` and `below_px` from the centre, -1/2 to 1/2. The solid angle falls
+    /// towards the rim of a frame as cos^3 of the angle off the axis, the projected one as cos^4;
+    /// to first order here, so that the mean over a pixel is 1.
+    Share shareAt(int x, int y, double right_px, double below_px) const {
         const double u = (x - centreX_) * pitch_, v = (y - centreY_) * pitch_;
-        return 1.0 - 3.0 * pitch_ * (u * right_px + v * below_px) / (1.0 + u * u + v * v);
+        const double outwards = pitch_ * (u * right_px + v * below_px) / (1.0 + u * u + v * v);
+        return {1.0 - 3.0 * outwards, 1.0 - 4.0 * outwards};
     }
     /// Whether parts of a pixel differ by so much that they are told apart; if not, those of no
     /// pixel do that is nearer to the axis.

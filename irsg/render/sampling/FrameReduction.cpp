@@ -31,7 +31,7 @@ FrameReduction::FrameReduction(const Sensor& sensor, const std::vector<SampleTil
     : sensor_(sensor) {
     // Tiles that share pixels share a patch; a grown patch may reach others.
     for (const SampleTile& tile : tiles) {
-        Patch patch{tile.pixels(), {}, {}};
+        Patch patch{tile.pixels(), {}, {}, {}, {}};
         for (auto other = patches_.begin(); other != patches_.end();) {
             if (!other->pixels.intersects(patch.pixels)) {
                 ++other;
@@ -50,8 +50,8 @@ FrameReduction::FrameReduction(const Sensor& sensor, const std::vector<SampleTil
 void FrameReduction::Patch::makeRoom() {
     const auto count =
         static_cast<std::size_t>(pixels.width) * static_cast<std::size_t>(pixels.height);
-    radiance.resize(count);
-    opacity.resize(count);
+    for (std::vector<double>* one : {&radiance, &opacity, &projectedRadiance, &projectedOpacity})
+        one->resize(count);
 }
 
 FrameReduction::Patch* FrameReduction::find(const PixelRegion& pixels) {
@@ -71,8 +71,8 @@ void FrameReduction::add(const SampleTile& tile, const RadianceSamples& samples)
     const PixelRegion pixels = tile.pixels();
     Patch& patch = patchOf(pixels);
     const double share = tile.share();
-    const auto addRun = [&](std::size_t first, int count, int x, int y, double weight)
-        __attribute__((always_inline)) {
+    const auto addRun = [&](std::size_t first, int count, int x, int y, double weight,
+                            double projectedWeight) __attribute__((always_inline)) {
         const float* sample = &samples.planes[2 * first];
         double radiance = 0.0, opacity = 0.0;
         for (int s = 0; s < count; ++s, sample += 2) {
@@ -84,6 +84,8 @@ void FrameReduction::add(const SampleTile& tile, const RadianceSamples& samples)
         const std::size_t pixel = patch.offset(x, y);
         patch.radiance[pixel] += radiance * (weight * share);
         patch.opacity[pixel] += opacity * (weight * share);
+        patch.projectedRadiance[pixel] += radiance * (projectedWeight * share);
+        patch.projectedOpacity[pixel] += opacity * (projectedWeight * share);
     };
     const PixelGrid grid(sensor_);
     const OffAxisShares shares(tile, grid);
@@ -92,22 +94,27 @@ void FrameReduction::add(const SampleTile& tile, const RadianceSamples& samples)
     });
 }
 
-void FrameReduction::addPoint(int x, int y, double radiance_W_m2_sr, double opacity) {
+void FrameReduction::addPoint(int x, int y, double radiance_W_m2_sr, double opacity,
+                              double cosineShare) {
     Patch* patch = find({x, y, 1, 1});
     if (!patch) {
-        patch = &patches_.emplace_back(Patch{{x, y, 1, 1}, {}, {}});
+        patch = &patches_.emplace_back(Patch{{x, y, 1, 1}, {}, {}, {}, {}});
         patch->makeRoom();
     }
     const std::size_t pixel = patch->offset(x, y);
     patch->radiance[pixel] += radiance_W_m2_sr;
     patch->opacity[pixel] += opacity;
+    patch->projectedRadiance[pixel] += cosineShare * radiance_W_m2_sr;
+    patch->projectedOpacity[pixel] += cosineShare * opacity;
 }
 
 void FrameReduction::cover(int x, int y, double radiance_W_m2_sr, double opacity) {
     Patch& patch = patchOf({x, y, 1, 1});
     const std::size_t pixel = patch.offset(x, y);
-    patch.radiance[pixel] = radiance_W_m2_sr + (1.0 - opacity) * patch.radiance[pixel];
-    patch.opacity[pixel] = opacity + (1.0 - opacity) * patch.opacity[pixel];
+    for (std::vector<double>* under : {&patch.radiance, &patch.projectedRadiance})
+        (*under)[pixel] = radiance_W_m2_sr + (1.0 - opacity) * (*under)[pixel];
+    for (std::vector<double>* under : {&patch.opacity, &patch.projectedOpacity})
+        (*under)[pixel] = opacity + (1.0 - opacity) * (*under)[pixel];
 }
 
 ObjectRadiometry FrameReduction::objects(const FrameBackground& background, double range_m) const {
@@ -122,10 +129,13 @@ ObjectRadiometry FrameReduction::objects(const FrameBackground& background, doub
             if (opacity == 0.0 && radiance == 0.0)
                 return;
             const auto [omega_sr, cosOffAxis] = grid.at(x, y);
-            const double contrast = radiance - opacity * background.behindAt(x, y);
+            const double behind = background.behindAt(x, y);
+            const double contrast = radiance - opacity * behind;
+            const double projected =
+                patch.projectedRadiance[i] - patch.projectedOpacity[i] * behind;
             to.intensity_W_sr += radiance * omega_sr;
             to.contrastIntensity_W_sr += contrast * omega_sr;
-            to.irradiance_W_m2 += contrast * omega_sr * cosOffAxis;
+            to.irradiance_W_m2 += projected * omega_sr * cosOffAxis;
             to.coveredPixels += opacity;
             to.solidAngle_sr += opacity * omega_sr;
         };

@@ -19,8 +19,9 @@ class FrameReduction {
     FrameReduction(const Sensor& sensor, const std::vector<SampleTile>& tiles);
 
     void add(const SampleTile& tile, const RadianceSamples& samples);
-    /// Adds what a point source adds to one pixel.
-    void addPoint(int x, int y, double radiance_W_m2_sr, double opacity);
+    /// Adds what a point source adds to one pixel; the cosine off the axis is that of the pixel
+    /// times `cosineShare`.
+    void addPoint(int x, int y, double radiance_W_m2_sr, double opacity, double cosineShare = 1.0);
     /// Lays a premultiplied radiance over what a pixel holds.
     void cover(int x, int y, double radiance_W_m2_sr, double opacity);
 
@@ -33,7 +34,8 @@ class FrameReduction {
     /// Pixels that tiles touch together.
     struct Patch {
         PixelRegion pixels;
-        std::vector<double> radiance, opacity; // top row first
+        // Top row first; what counts by the cosine off the axis beside that of the pixel.
+        std::vector<double> radiance, opacity, projectedRadiance, projectedOpacity;
 
         void makeRoom();
         std::size_t offset(int x, int y) const {

@@ -9,7 +9,8 @@
 namespace irsg {
 
 /// What samples of a tile count beside the others of their pixel: an object that is smaller than a
-/// pixel and stands off its centre has the solid angle of its own place (docs/axes.md, Sensor).
+/// pixel and stands off its centre has the solid angle and the cosine of its own place
+/// (docs/axes.md, Sensor).
 /// Near the axis all count alike, and nothing is computed.
 class OffAxisShares {
   public:
@@ -26,7 +27,7 @@ class OffAxisShares {
 
     /// Of a sample of the drawing, which lies in a pixel; `isOfGroup`: of the two by two samples
     /// that it stands for.
-    double of(std::size_t sample, int x, int y, bool isOfGroup = false) const {
+    PixelGrid::Share of(std::size_t sample, int x, int y, bool isOfGroup = false) const {
         const int row = tile_.rowOf(sample);
         const int column = static_cast<int>(sample - tile_.firstSampleOf(row));
         return grid_.shareAt(
@@ -34,7 +35,8 @@ class OffAxisShares {
             place_px(tile_.blockY, row, tile_.samplesDown, isOfGroup) - y - 0.5);
     }
 
-    /// SampleTile::forEachRun with weights that hold this.
+    /// SampleTile::forEachRun with weights that hold this: visit(first, count, x, y, weight, the
+    /// same of the projected solid angle).
     template <typename Visit>
     void forEachRun(int firstRow, int lastRow, const Visit& visit) const {
         tile_.forEachRun(
@@ -42,10 +44,11 @@ class OffAxisShares {
             [&](std::size_t first, int count, int x, int y, double weight)
                 __attribute__((always_inline)) {
                     if (!areUnequalIn(x, y))
-                        return visit(first, count, x, y, weight);
+                        return visit(first, count, x, y, weight, weight);
                     for (int s = 0; s < count; ++s) {
                         const std::size_t sample = first + static_cast<std::size_t>(s);
-                        visit(sample, 1, x, y, weight * of(sample, x, y));
+                        const PixelGrid::Share share = of(sample, x, y);
+                        visit(sample, 1, x, y, weight * share.solidAngle, weight * share.projected);
                     }
                 });
     }

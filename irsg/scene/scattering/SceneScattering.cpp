@@ -164,18 +164,18 @@ HazeGain gainOf(const ScatteredObject& object, double direct, double range_m, co
                               static_cast<std::size_t>(pixel.x - received.window.x);
         const double behind_W_m2_sr = background.behindAt(pixel.x, pixel.y);
         const double more_sr = (direct - 1.0) * at.solidAngle_sr;
+        const double projectedMore_sr = more_sr * at.cosOffAxis * pixel.cosineShare;
         sent += pixel.radiance_W_m2_sr * at.solidAngle_sr;
         hidden += pixel.opacity * behind_W_m2_sr * at.solidAngle_sr;
         haze.intensity +=
             pixel.radiance_W_m2_sr * (more_sr + static_cast<double>(received.sent[i]));
         haze.hidden +=
             pixel.opacity * (more_sr * behind_W_m2_sr + static_cast<double>(received.hidden[i]));
-        haze.irradiance_per_m2 +=
-            pixel.radiance_W_m2_sr *
-            (more_sr * at.cosOffAxis + static_cast<double>(received.sentCosine[i]));
+        haze.irradiance_per_m2 += pixel.radiance_W_m2_sr *
+                                  (projectedMore_sr + static_cast<double>(received.sentCosine[i]));
         haze.hiddenIrradiance_per_m2 +=
-            pixel.opacity * (more_sr * at.cosOffAxis * behind_W_m2_sr +
-                             static_cast<double>(received.hiddenCosine[i]));
+            pixel.opacity *
+            (projectedMore_sr * behind_W_m2_sr + static_cast<double>(received.hiddenCosine[i]));
     }
     HazeGain gain;
     if (sent != 0.0) {

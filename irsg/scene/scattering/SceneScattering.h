@@ -44,6 +44,7 @@ struct ScatteredObject {
     struct Pixel {
         int x, y;
         double radiance_W_m2_sr, opacity; ///< premultiplied, through the air
+        double cosineShare = 1.0;         ///< cosine off the axis over that of the pixel's centre
     };
     std::string name;
     double opticalDepth = 0.0; ///< scattering, in the band
