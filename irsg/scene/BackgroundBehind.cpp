@@ -1,6 +1,7 @@
 #include "irsg/scene/BackgroundBehind.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -56,15 +57,22 @@ SharedValues sumBehind(AtmosphericQueryCache& answers, const SampledBand& band, 
     return std::make_shared<const std::vector<double>>(std::move(sum));
 }
 
-/// Parts that let no light through; all where there are none.
-std::function<bool(const Mesh::Part&)> countedParts(const Entity& entity) {
-    const auto isOpaque = [&entity](const Mesh::Part& part) {
+/// Means over a range of wavelengths; gas hides nothing, but where there is nothing else.
+std::function<double(const Mesh::Part&)> opacities(const Entity& entity,
+                                                   const SpectralRange& range) {
+    const auto opacityOf = [&entity, range](const Mesh::Part& part) {
         const Material* material = materialEntry(entity, part.codes.material);
-        return material == nullptr || material->isOpaque();
+        if (material == nullptr || material->isOpaque())
+            return 1.0;
+        if (material->isGas())
+            return 0.0;
+        const std::array<const Spectrum*, 1> passing{&material->transmissivity};
+        return std::clamp(1.0 - integrateProduct(passing, range) / range.width_um(), 0.0, 1.0);
     };
-    if (std::ranges::any_of(entity.model->mesh()->parts, isOpaque))
-        return isOpaque;
-    return [](const Mesh::Part&) { return true; };
+    const auto hides = [&](const Mesh::Part& part) { return opacityOf(part) > 0.0; };
+    if (std::ranges::any_of(entity.model->mesh()->parts, hides))
+        return opacityOf;
+    return [](const Mesh::Part&) { return 1.0; };
 }
 
 /// True where the background is the same in all directions.
@@ -149,7 +157,7 @@ BackgroundBehind backgroundBehind(AtmosphericQueryCache& answers, const FrameReq
                 std::vector<SilhouettePart> slices =
                     silhouetteOf(*entity.model->mesh(), entity.pose,
                                  request.view.viewpoint.position_m, request.referencePoints_m[e],
-                                 std::asin(reach_m / range_m), countedParts(entity));
+                                 std::asin(reach_m / range_m), opacities(entity, range));
                 const double flat_rad =
                     flatTargetView(object.path).elevation_rad + object.raised_rad;
                 for (SilhouettePart& slice : slices)

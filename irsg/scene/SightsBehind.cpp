@@ -15,11 +15,11 @@ constexpr double zenith_rad = 0.5 * std::numbers::pi;
 /// Air masses of the sky go with 1 / (angle from the horizon + about this).
 constexpr double nearHorizon_rad = 0.02;
 /// An object that is narrower than this part of that angle needs one line of sight.
-constexpr double narrow = 0.002;
+constexpr double narrow = 0.0005;
 /// How far from the horizon the rows beside it lie.
 constexpr double besideHorizon_rad = 6e-9;
 /// Of the background: what more rows may change.
-constexpr double neededChange = 2e-4;
+constexpr double neededChange = 1e-5;
 /// What is left of a change when rows are doubled: the rule is of third order at least.
 constexpr double ofNextChange = 0.25;
 constexpr std::size_t mostRows = 65;

@@ -8,9 +8,10 @@
 
 namespace irsg {
 
-/// Of the change of the background over an object: what is wrong because parts that another part
-/// hides are counted. Measured, see docs/errors.md.
-inline constexpr double errorOfOverlap = 0.03;
+/// Of the change of the background over an object: what is wrong because the grid that tells
+/// which parts hide each other has an end, and opacities are means over the band. Measured, see
+/// docs/errors.md.
+inline constexpr double errorOfOverlap = 0.01;
 
 /// Lines of sight whose weighted sum is the background behind an object, and how far off it is.
 struct SightsBehind {
@@ -27,7 +28,7 @@ using RadianceAlong = std::function<std::vector<double>(const LineOfSight&)>;
 /// side of the horizon, from the lowest to the highest direction of the object's sphere, so that
 /// all aspects share them; those that no slice needs are left out. Between three rows the radiance
 /// is a parabola, in the elevation above the horizon and in the root of the angle below it. Rows
-/// are doubled until that changes the background by less than 0.02 %, from three up to 65 on a
+/// are doubled until that changes the background by less than 0.001 %, from three up to 65 on a
 /// side.
 ///
 /// `reach_rad`: of the sphere about the reference point. `slices`: of its silhouette, asked for

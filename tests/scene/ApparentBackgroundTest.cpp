@@ -223,6 +223,53 @@ TEST(ApparentBackground, IsTakenOverWhatAnObjectCovers) {
     }
 }
 
+TEST(ApparentBackground, OfPanesCountsByTheirOpacity) {
+    // An upper half that lets 70 % through, and a lower one that hides another wall.
+    const auto half = [](double middle_m, double behind_m, const IrCodes& codes) {
+        return plateMesh({0, behind_m, middle_m}, {30, 0, 0}, {0, 0, 30}, codes);
+    };
+    constexpr double altitude_m = 150.0;
+    InteractiveRenderer irsg = blackBody(
+        longWave,
+        joined(joined(half(-30.0, 0.0, one), half(30.0, 0.0, {1, 2})), half(-30.0, 5.0, one)),
+        320.0, altitude_m);
+    SignatureDatabase database = greyDatabase(1.0, 320.0);
+    database.materials[2] = greyMaterial(0.3, 0.7);
+    irsg.scene.entities = {entityOf(irsg.scene.entities.front().model, database)};
+    irsg.scene.entities.front().pose.position_m.z = altitude_m;
+    irsg.scene.settings.bounces = 0;
+    look(irsg, {.range_m = 2500.0,
+                .width_px = 256,
+                .height_px = 256,
+                .fieldOfView_rad = 0.06,
+                .band = longWave});
+    const ObjectRadiometry found = irsg.measure().all;
+    irsg.scene.settings.background = BackgroundMode::constant;
+    irsg.scene.settings.background_W_m2_sr = 1.0;
+    const ObjectRadiometry before = irsg.measure().all;
+    const double hidden = (found.intensity_W_sr - found.contrastIntensity_W_sr) /
+                          (before.intensity_W_sr - before.contrastIntensity_W_sr);
+
+    const RayTracer& tracer = airOf(longWave)->transfer().tracer();
+    constexpr int strips = 240;
+    double sum = 0.0, weights = 0.0, plain = 0.0;
+    for (int i = 0; i < strips; ++i) {
+        const double z_m = altitude_m - 60.0 + 120.0 * (i + 0.5) / strips;
+        const double range_m = std::hypot(2500.0, z_m - altitude_m);
+        const LineOfSight sight{
+            altitude_m, tracer.targetView({altitude_m, z_m, range_m, 0.0}).elevation_rad, pi};
+        const double seen =
+            inBand(irsg.scene.environment, longWave,
+                   AtmosphericQuery::backgroundRadiance(sight, irsg.scene.environment.sun));
+        const double weight = i < strips / 2 ? 1.0 : 0.3;
+        sum += weight * seen;
+        weights += weight;
+        plain += seen / strips;
+    }
+    EXPECT_NEAR(hidden / (sum / weights), 1.0, 1e-4);
+    EXPECT_GT(std::abs(plain / (sum / weights) - 1.0), 5e-4) << "all alike would do";
+}
+
 TEST(ApparentBackground, IsOneRowWhereItCannotChange) {
     // Where one direction answers for all, and where the object is small beside its elevation.
     ObjectGeometry steep;
@@ -236,7 +283,7 @@ TEST(ApparentBackground, IsOneRowWhereItCannotChange) {
         ADD_FAILURE() << "a silhouette was asked for";
         return std::vector<SilhouettePart>();
     };
-    const SightsBehind behind = sightsBehind(steep, radians(-1.4), 1e-3, none, along);
+    const SightsBehind behind = sightsBehind(steep, radians(-1.4), 4e-4, none, along);
     EXPECT_EQ(behind.sights.size(), 1u);
     EXPECT_EQ(asked, 1);
     EXPECT_EQ(behind.error, std::vector<double>{0.0});
