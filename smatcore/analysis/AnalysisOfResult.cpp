@@ -65,9 +65,17 @@ Project projectOf(const StatedProvenance& stated, const std::vector<Project>& op
     if (known != open.end())
         return *known;
     const auto found = projectNear(stated.file(), name);
-    if (!found)
-        stated.refuse("project", name + ", which is neither open nor beside the result",
-                      "its project beside it, or open");
+    if (!found) {
+        // One that was given or opened under another name is named: it may be what was meant.
+        std::string others;
+        for (const Project& other : open)
+            others += (others.empty() ? " (open: " : ", ") + other.displayName();
+        if (!others.empty())
+            others += ")";
+        stated.refuse("project",
+                      name + ", which is neither open" + others + " nor beside the result",
+                      "its project under this name, beside it or open");
+    }
     return loadProject(*found, remarks);
 }
 

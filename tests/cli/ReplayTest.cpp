@@ -208,6 +208,9 @@ TEST_F(SmatBatchReplay, RefusesWhatItCannotRunAgain) {
     EXPECT_EQ(in({"replay", "gone.csv"}).exitCode, 2);
     std::filesystem::rename(folder / "sphere.smat", folder / "moved.smat");
     EXPECT_THAT(in({"replay", "polar.csv"}).err, HasSubstr("neither open nor beside"));
+    // A project of another name is not taken for it, and is named.
+    EXPECT_THAT(in({"replay", "polar.csv", "--project", "moved.smat"}).err,
+                HasSubstr("sphere.smat, which is neither open (open: moved.smat) nor beside"));
 }
 
 } // namespace
