@@ -14,6 +14,8 @@ with altitude) and has imported, and `modtran` a run of MODTRAN itself, one hori
 level, where the shared material is (../shared, or the folder that SMAT_SHARED names). Runs have
 neither sun nor ambient reflection nor a sky: through them these are off.
 
+`every_way.py` holds one view by all other analyses and the library against the image.
+
 An image of several bands is a file each, drawn for that band alone: it is compared with sweeps of
 one band. `simulate` in several bands is compared with the sweep in the same bands.
 """
