@@ -11,7 +11,7 @@ namespace irsg {
 /// Of the change of the background over an object: what is wrong because the grid that tells
 /// which parts hide each other has an end, and opacities are means over the band. Measured, see
 /// docs/errors.md.
-inline constexpr double errorOfOverlap = 0.01;
+inline constexpr double errorOfOverlap = 0.03;
 
 /// Lines of sight whose weighted sum is the background behind an object, and how far off it is.
 struct SightsBehind {
