@@ -269,6 +269,7 @@ void SceneLight::prepareReceivers(const std::vector<const LightSums*>& views) {
         }
     // Others are not asked for again: what all their receivers send is known.
     std::vector<SurfaceStackId> kinds;
+    kinds.reserve(missing.size());
     for (const auto& [kind, locals] : missing)
         kinds.push_back({kind.first, kind.second});
     if (known_.size() > kinds.size() && known_.size() * outputs * width() > mostNumbersKept)
