@@ -66,15 +66,13 @@ RadiometryCache::of(const RadianceTerms& terms, const std::vector<Entity>& entit
     }
     CacheEntry* const known = cache_.find([&](const CacheEntry& kept) {
         return kept.entities == key.entities && kept.altitudes_m == key.altitudes_m &&
-               areAlikeButForPathRadiance(terms, *kept.sampled, *sampled);
+               areAlikeButForPathRadiance(terms, *kept.scene->along(), *sampled);
     });
     if (known != nullptr) {
-        known->sampled = sampled; // which is found without a look at its values from now on
         known->scene->turnTo(entities, geometry);
         known->scene->seeAlong(sampled);
         return known->scene;
     }
-    key.sampled = sampled;
     key.scene =
         std::make_shared<EvaluatedScene>(terms, entities, geometry, sampled, occluderStacks);
     const std::shared_ptr<EvaluatedScene> scene = cache_.add(std::move(key)).scene;

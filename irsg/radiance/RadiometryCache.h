@@ -27,6 +27,8 @@ struct EvaluatedScene {
     void turnTo(const std::vector<Entity>& entities, const std::vector<ObjectGeometry>& geometry);
     /// Makes it that of a sampled scene which is alike but for path radiance.
     void seeAlong(const std::shared_ptr<const SampledScene>& sampled);
+    /// The one that it is of; null where it was made of bands alone.
+    const std::shared_ptr<const SampledScene>& along() const { return along_; }
 
     SceneRadiometry radiometry;
     SurfaceRadianceTable radiances;
@@ -35,8 +37,8 @@ struct EvaluatedScene {
     std::shared_ptr<SceneLight> light;
 
   private:
-    std::vector<double> aspects_rad_;           // by entity
-    std::shared_ptr<const SampledScene> along_; // that path radiance is of; null where not known
+    std::vector<double> aspects_rad_; // by entity
+    std::shared_ptr<const SampledScene> along_;
 };
 
 /// Evaluated scenes by all that their spectra depend on: samplings, air, databases, states, scales.
@@ -56,8 +58,7 @@ class RadiometryCache {
     struct CacheEntry {
         std::vector<EntityKey> entities;
         std::vector<double> altitudes_m;
-        std::shared_ptr<const SampledScene> sampled;
-        std::shared_ptr<EvaluatedScene> scene;
+        std::shared_ptr<EvaluatedScene> scene; // by what it is seen along, too
     };
     /// Of each state of the entities two: a table goes through its states at each aspect.
     static constexpr std::size_t mostCached = 16, mostOfState = 2;

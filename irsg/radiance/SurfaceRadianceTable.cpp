@@ -71,12 +71,6 @@ void SurfaceRadianceTable::turn(const std::vector<int>& drawn) {
                 ofStack[static_cast<std::size_t>(row)].isCombined = false;
 }
 
-void SurfaceRadianceTable::seeAlong() {
-    for (std::vector<Place>& ofStack : places_)
-        for (Place& place : ofStack)
-            place.isPathKnown = place.isCombined = false;
-}
-
 std::vector<SurfaceRadianceTable::TermGroup> SurfaceRadianceTable::termGroupsOf(int drawn) const {
     const SurfaceSpectra& surface = radiometry_.surfaces()[static_cast<std::size_t>(drawn)];
     const AtmosphereSamples& air = radiometry_.air(radiometry_.rows().first(drawn));
@@ -153,16 +147,17 @@ SurfaceRadianceTable::plan(const std::vector<SurfaceStackId>& kinds) {
         const int drawn = radiometry_.rows().renderedOf(kind.row);
         Place& place = placeOf(kind);
         HiddenPlace& hidden = hiddenPlaceOf(kind.stack, drawn);
-        if (place.isKnown && place.isPathKnown && hidden.isKnown)
+        if (place.isKnown && place.path == path_ && hidden.isKnown)
             continue;
         Work& work = all[{kind.stack, drawn}];
-        if (place.isKnown && !place.isPathKnown) {
+        if (place.isKnown && place.path != path_) {
             const std::vector<TermGroup>& groups = termGroups_[static_cast<std::size_t>(drawn)];
             for (std::size_t output = 0; output < outputs_; ++output)
                 for (std::size_t s = 0; s < groups.size(); ++s)
                     if (groups[s].pathLight >= 0)
                         groupSums_[place.groupSums + output * groups.size() + s] = 0.0;
             work.rowsOfPath.push_back(kind.row);
+            place.isCombined = false;
         }
         if (!place.isKnown) {
             place.groupSums = groupSums_.size();
@@ -180,7 +175,8 @@ SurfaceRadianceTable::plan(const std::vector<SurfaceStackId>& kinds) {
             std::fill_n(&hidden_[hidden.at], 2 * outputs_, 0.0);
             work.hidden = true;
         }
-        place.isKnown = place.isPathKnown = hidden.isKnown = hidden.hasRoom = true;
+        place.isKnown = hidden.isKnown = hidden.hasRoom = true;
+        place.path = path_;
     }
     return all;
 }
@@ -358,7 +354,7 @@ bool SurfaceRadianceTable::isPrepared(const SurfaceStackId& kind) const {
     const auto row = static_cast<std::size_t>(kind.row);
     const auto drawn = static_cast<std::size_t>(radiometry_.rows().renderedOf(kind.row));
     return stack < places_.size() && !places_[stack].empty() && places_[stack][row].isCombined &&
-           hiddenPlaces_[stack][drawn].isKnown;
+           places_[stack][row].path == path_ && hiddenPlaces_[stack][drawn].isKnown;
 }
 
 SurfaceRadianceTable::InOutputs SurfaceRadianceTable::inOutputs(const SurfaceStackId& kind) const {

@@ -41,7 +41,7 @@ class SurfaceRadianceTable {
     /// Tells of drawn rows whose factors of emission have become others.
     void turn(const std::vector<int>& drawn);
     /// Tells that what the air itself sends along the way has become other.
-    void seeAlong();
+    void seeAlong() { ++path_; }
     /// Of the background in an output, W m-2 sr-1.
     double background_W_m2_sr(std::size_t output = 0) const { return inBand_[output]; }
 
@@ -101,7 +101,7 @@ class SurfaceRadianceTable {
     /// Where a kind's numbers lie, output by output.
     struct Place {
         bool isKnown = false, isCombined = false;
-        bool isPathKnown = false; ///< groups with light of the path are summed
+        std::size_t path = 0; ///< number of the path whose light its groups hold
         std::size_t groupSums = 0, sent = 0;
     };
     /// The same for what is the same in all rows of a surface.
@@ -141,6 +141,7 @@ class SurfaceRadianceTable {
     std::vector<std::vector<TermGroup>> termGroups_;     // by drawn row
     SharedValues background_;                            // by node
     std::vector<double> inBand_, area_um_;               // by output
+    std::size_t path_ = 0;                               // how often it has become other
     std::vector<std::vector<Place>> places_;             // [front][row]
     std::vector<std::vector<HiddenPlace>> hiddenPlaces_; // [front][drawn row]
     /// Sums of groups of terms; what their sum sends; of the background its in-band radiance and

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <map>
 #include <memory>
-#include <numeric>
 #include <span>
 #include <tuple>
 #include <utility>
@@ -20,7 +19,7 @@
 #include "irsg/radiance/SeenReceivers.h"
 #include "irsg/radiance/SurfaceRows.h"
 #include "irsg/radiance/ViewGeometry.h"
-#include "irsg/radiance/exchange/SceneLight.h"
+#include "irsg/radiance/exchange/ReceiverSums.h"
 
 namespace irsg {
 

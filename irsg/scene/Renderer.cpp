@@ -143,6 +143,7 @@ PendingRender Renderer::begin(const Scene& scene, const SensorView& view, const 
 }
 
 void Renderer::Impl::renderImage(const Frame& frame, const Outputs& outputs, Rendered& result) {
+    // Frames share evaluated scenes, and another may have been begun since.
     frame.evaluation().turned(frame.scene().entities);
     // Sums are those of a sweep, which samples as the picture does.
     const bool isPictures = outputs.hasReports() && frame.scene().entities.size() <= 1 &&

@@ -272,7 +272,7 @@ void SceneLight::prepareReceivers(const std::vector<const LightSums*>& views) {
     kinds.reserve(missing.size());
     for (const auto& [kind, locals] : missing)
         kinds.push_back({kind.first, kind.second});
-    if (known_.size() > kinds.size() && known_.size() * outputs * width() > mostNumbersKept)
+    if (known_.size() * outputs * width() > mostNumbersKept)
         known_.clear();
     prepare(kinds);
     for (const auto& [kind, locals] : missing) {
